@@ -45,18 +45,16 @@ export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/Adap
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
-export type { DetailOptions } from './scene/detail/DetailOptions.js';
 export { fitExposure } from './scene/fitExposure.js';
 export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
+export type { DetailOptions } from './scene/levelMaker.js';
 export {
   type FlatteringLight,
   type FlatteringLightOptions,
   flatteringLight,
 } from './scene/lighting/flatteringLight.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
-export { type HatchingPreset, type PresetName, presets } from './scene/presets.js';
-export { scalePreset } from './scene/scalePreset.js';
-export { withPreset } from './scene/withPreset.js';
+export { type HatchingPreset, type PresetName, presets, scalePreset, withPreset } from './scene/presets.js';
 export { type EngravedHand, type EngravedHandOptions, engravedHand } from './strokes/hand/engravedHand.js';
 export type { Hand, HandNumbers, HandStroke, SwatchTone } from './strokes/hand/Hand.js';
 export { type LearnHandOptions, learnHand } from './strokes/hand/learnHand.js';

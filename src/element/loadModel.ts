@@ -10,7 +10,7 @@ import {
   type Texture,
 } from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import type { ModelSource } from './ModelSource.js';
+import type { ModelSource } from './decoders.js';
 import { readExtensions } from './readExtensions.js';
 
 const NAME = 'KHR_materials_variants';
@@ -67,7 +67,7 @@ export async function loadModel(source: ModelSource): Promise<LoadedModel> {
     const loader = new GLTFLoader();
     const extensions = readExtensions(content);
     if (extensions.used.some((name) => PACKED.test(name))) {
-      giveBack = await (await import('./addDecoders.js')).addDecoders(loader, extensions, source);
+      giveBack = await (await import('./decoders.js')).addDecoders(loader, extensions, source);
     }
     const gltf = await loader.parseAsync(content, LoaderUtils.extractUrlBase(address));
     if (source.variant) await useVariant(gltf, source.variant);

@@ -4,8 +4,7 @@
  * @module three-hatching/element/react
  */
 import type { ClassAttributes, HTMLAttributes } from 'react';
-import type { HatchedModelElement } from './element.js';
-import type { HatchedModelAttributes } from './HatchedModelAttributes.js';
+import type { HatchedModelAttributes, HatchedModelElement } from './element.js';
 
 export * from './element.js';
 

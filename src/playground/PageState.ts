@@ -1,6 +1,5 @@
-import { page } from './elements/page.js';
-import { pageForm } from './elements/pageForm.js';
-import { setPageState } from './page/setPageState.js';
+import { setPageState } from './page/elements.js';
+import { page, pageForm } from './page/page.js';
 import type { DrawingOpener } from './session/DrawingOpener.js';
 import type { Session } from './session/Session.js';
 import type { Status } from './tasks/Status.js';

@@ -1,9 +1,8 @@
 import { errorMessage } from '../viewer/files/common/ModelError.js';
 import type { Dialogs } from './dialogs/Dialogs.js';
-import { page } from './elements/page.js';
-import { pageForm } from './elements/pageForm.js';
 import type { Exports } from './export/Exports.js';
 import { dropFiles } from './loading/dropFiles.js';
+import { page, pageForm } from './page/page.js';
 import { listenToKeys } from './pageKeys.js';
 import type { Card } from './panel/Card.js';
 import type { Session } from './session/Session.js';
@@ -83,7 +82,7 @@ function connectDrops({ session, parts, status }: PageHandlers): void {
     (files) => {
       status.solveProblem('link');
       parts.whenFetched(import('./loading/openDropped.js'), ({ openDropped }) => {
-        openDropped(files, session).catch((error) => status.fail(sentenceFor(error)));
+        openDropped(files, session, !page.contactSheet.sheet.hidden).catch((error) => status.fail(sentenceFor(error)));
       });
     },
     (error) => status.fail(`The dropped files could not be read: ${errorMessage(error)}`),

@@ -4,18 +4,16 @@ import { type LinkedDrawing, readLink } from '../viewer/settings/shareLink.js';
 import type { SettingGroup } from '../viewer/settings/table/rows.js';
 import { connectPage } from './connectPage.js';
 import { Dialogs } from './dialogs/Dialogs.js';
-import { page } from './elements/page.js';
-import { pageForm } from './elements/pageForm.js';
 import { Exports } from './export/Exports.js';
 import { GeometryLoader } from './loading/GeometryLoader.js';
 import { OcclusionLoader } from './loading/OcclusionLoader.js';
 import { linkedHand } from './maps/OwnHand.js';
 import { Overlays } from './overlay/Overlays.js';
 import { PageState } from './PageState.js';
+import { page, pageForm } from './page/page.js';
 import { Card } from './panel/Card.js';
-import { AddressWriter } from './session/AddressWriter.js';
 import { DrawingOpener } from './session/DrawingOpener.js';
-import { DrawingStore } from './session/DrawingStore.js';
+import { AddressWriter, DrawingStore } from './session/DrawingStore.js';
 import { PageAddress } from './session/PageAddress.js';
 import { RendererChoice } from './session/RendererChoice.js';
 import { Session } from './session/Session.js';
@@ -66,7 +64,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   };
   const createActions = async () =>
-    (await import('./panelActions.js')).panelActions(session, exports, dialogs, parts, fillScreen);
+    (await import('./panel/SettingsPanel.js')).panelActions(session, exports, dialogs, parts, fillScreen);
   const renderers = new RendererChoice(session, parts, status);
   const onFold = (group: SettingGroup, isOpen: boolean): void => {
     if (group === 'Picture') overlays.showSheet(isOpen);

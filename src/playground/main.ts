@@ -1,8 +1,8 @@
 import { HatchingMaterial } from 'three-hatching';
 import { errorMessage } from '../viewer/files/common/ModelError.js';
 import { createPlayground } from './createPlayground.js';
-import { page } from './elements/page.js';
-import { setPageState } from './page/setPageState.js';
+import { setPageState } from './page/elements.js';
+import { page } from './page/page.js';
 import { Status } from './tasks/Status.js';
 import { drawsInSoftware, rendererAhead } from './viewport/graphicsCard.js';
 

@@ -1,6 +1,29 @@
-import { extend, type ThreeElement } from '@react-three/fiber';
-import type { HatchingMaterial, HatchingOutlineMaterial, HatchingOutlines } from 'three-hatching';
-import { FollowedMaterial } from './FollowedMaterial.js';
+import { extend, invalidate, type ThreeElement } from '@react-three/fiber';
+import { HatchingMaterial, type HatchingOutlineMaterial, type HatchingOutlines } from 'three-hatching';
+
+/**
+ * The material of `<hatchingMaterial>`: it requests a frame when its map and its code have loaded, for a canvas with
+ * `frameloop="demand"`.
+ */
+export class FollowedMaterial extends HatchingMaterial {
+  /** The properties at the last draw that decide which map and which code are needed. */
+  private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique' | 'medium' | 'version'>> = {};
+
+  // The hook of HatchingMaterial runs before this one, as before any hook that a user sets.
+  override onBeforeRender(): void {
+    const { followed } = this;
+    const isSame =
+      followed.tonalArtMap === this.tonalArtMap &&
+      followed.technique === this.technique &&
+      followed.medium === this.medium &&
+      followed.version === this.version;
+    if (isSame) return;
+    const { tonalArtMap, technique, medium, version } = this;
+    this.followed = { tonalArtMap, technique, medium, version };
+    // Failures to draw the map or to fetch the code are reported by the library.
+    this.ready.then(() => invalidate()).catch(() => {});
+  }
+}
 
 declare module '@react-three/fiber' {
   interface ThreeElements {

@@ -3,11 +3,11 @@
  *
  * @module three-hatching/react
  */
+
+export type { HatchedGroupProps, HatchedOptions, HatchedProps } from './Hatched.js';
 export { Hatched } from './Hatched.js';
-export type { HatchedGroupProps, HatchedOptions, HatchedProps } from './HatchedProps.js';
 export { HatchingOutlines, type HatchingOutlinesProps } from './HatchingOutlines.js';
+export { type HatchingGeometryOptions, useHatchingGeometry, useTonalArtMap } from './hooks.js';
 export type { MapAddress, SharedMapOptions, SharedMapSource } from './sharedMaps.js';
-export { type HatchingGeometryOptions, useHatchingGeometry } from './useHatchingGeometry.js';
-export { useTonalArtMap } from './useTonalArtMap.js';
 
 import './elements.js';

@@ -1,4 +1,5 @@
 import type { Camera, Material, Mesh, WebGLRenderer } from 'three';
+import type { PresetName } from '../look/presetMaterials.js';
 import type {
   OutlineOptions,
   PrepareHatchingGeometryOptions,
@@ -7,9 +8,18 @@ import type { HatchingMaterialParameters } from '../material/HatchingMaterialPar
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
-import type { DetailOptions } from './detail/DetailOptions.js';
 import type { HatchedScene } from './HatchedScene.js';
-import type { HatchingPreset, PresetName } from './presets.js';
+import type { DetailOptions } from './levelMaker.js';
+
+/** A complete look: the material, outlines and tonal art map, in the form of the options of `applyHatching`. */
+export interface HatchingPreset {
+  /** The parameters of the material, including ink and paper. */
+  readonly material: Readonly<HatchingMaterialParameters>;
+  /** The options and parameters of the outlines. */
+  readonly outlines: Readonly<OutlineOptions & HatchingOutlineParameters>;
+  /** The options of `TonalArtMap.generate`; `null` if the preset needs no map. */
+  readonly tonalArtMap: Readonly<MapDrawing> | null;
+}
 
 /** Options of `applyHatching`. They include those of `prepareHatchingGeometry`, which apply to every mesh. */
 export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'outlines' | 'technique'> {

@@ -5,7 +5,7 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import type { MeshLook } from './geometryPlans.js';
 import type { LaterForms } from './LaterForms.js';
-import type { MaterialFollower } from './MaterialFollower.js';
+import type { MaterialFollower } from './MaterialReplacer.js';
 
 /** A mesh that was left unchanged, or hatched without the outlines that were requested. */
 export interface SkippedMesh {

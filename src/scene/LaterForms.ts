@@ -12,10 +12,16 @@ import {
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import { runSliced } from '../mesh/runSliced.js';
-import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
-import { askingMaterials, crossingOf, type MeshLook, type PlannedMesh } from './geometryPlans.js';
-import { cornerCount, type GeometryPlan } from './jointForms/FormGroup.js';
+import {
+  askingMaterials,
+  cornerCount,
+  crossingOf,
+  type GeometryPlan,
+  type MeshLook,
+  type PlannedMesh,
+} from './geometryPlans.js';
+import type { MakeLevels } from './levelMaker.js';
 import { bakeGeometries } from './making/bakeGeometries.js';
 import { isBatched } from './surfaceMeshes.js';
 

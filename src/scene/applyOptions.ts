@@ -8,7 +8,7 @@ import { checkHatchImageOptions } from '../material/tam/checkHatchImageOptions.j
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import type { PresetName } from './presets.js';
-import { withPreset } from './withPreset.js';
+import { withPreset } from './presets.js';
 
 /** The names of the options that `prepareHatchingGeometry` does not have. */
 const OWN_OPTIONS = {

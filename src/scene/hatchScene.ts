@@ -18,14 +18,12 @@ import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { isToBeMade, prepareOptions, resolveOptions } from './applyOptions.js';
 import { assertTree } from './assertTree.js';
 import { type ChosenMeshes, chooseMeshes, claimMeshes, failure } from './chooseMeshes.js';
-import type { MakeLevels } from './detail/levelMaker.js';
 import type { FirstFrame } from './FirstFrame.js';
-import type { MeshLook, OldLook, PlannedMesh } from './geometryPlans.js';
+import type { GeometryPlan, MeshLook, OldLook, PlannedMesh } from './geometryPlans.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
-import type { GeometryPlan } from './jointForms/FormGroup.js';
 import type { LaterForms } from './LaterForms.js';
-import type { MaterialFollower } from './MaterialFollower.js';
-import type { MaterialReplacer } from './MaterialReplacer.js';
+import type { MakeLevels } from './levelMaker.js';
+import type { MaterialFollower, MaterialReplacer } from './MaterialReplacer.js';
 import type { OutlineMaker } from './OutlineMaker.js';
 import type { PresetName } from './presets.js';
 import { isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
@@ -251,7 +249,7 @@ async function plan(
   if ([...plans.values()].every(({ form }) => !form)) return planning;
   const [{ crossingMaterials, LaterForms }, { formGroups }] = await Promise.all([
     import('./LaterForms.js'),
-    import('./jointForms/groups.js'),
+    import('./jointForms.js'),
   ]);
   const groups = await runSliced(formGroups(planned, plans), { signal: options.signal });
   for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
@@ -267,7 +265,7 @@ async function plan(
  * option
  */
 async function detailOf(options: ApplyHatchingOptions): Promise<MakeLevels | null> {
-  return options.detail ? (await import('./detail/levelMaker.js')).levelMaker(options.detail, options) : null;
+  return options.detail ? (await import('./levelMaker.js')).levelMaker(options.detail, options) : null;
 }
 
 /**

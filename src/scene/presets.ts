@@ -1,23 +1,13 @@
 import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
+import { scaledSizes } from '../look/measuredFacts.js';
 import { frozen, PRESET_MATERIALS, type PresetName } from '../look/presetMaterials.js';
 import { needsMap } from '../look/queries.js';
-import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
-import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
+import { scaledOutlineSizes } from '../material/outlines/outlineProperties.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
-import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
+import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
 
-export type { PresetName };
-
-/** A complete look: the material, outlines and tonal art map, in the form of the options of `applyHatching`. */
-export interface HatchingPreset {
-  /** The parameters of the material, including ink and paper. */
-  readonly material: Readonly<HatchingMaterialParameters>;
-  /** The options and parameters of the outlines. */
-  readonly outlines: Readonly<OutlineOptions & HatchingOutlineParameters>;
-  /** The options of `TonalArtMap.generate`; `null` if the preset needs no map. */
-  readonly tonalArtMap: Readonly<MapDrawing> | null;
-}
+export type { HatchingPreset, PresetName };
 
 const BLACK = '#1c1a17';
 
@@ -72,3 +62,59 @@ function makePresets(): Record<PresetName, HatchingPreset> {
 export const presets: Readonly<Record<PresetName, HatchingPreset>> = /* @__PURE__ */ frozen(
   /* @__PURE__ */ makePresets(),
 );
+
+/**
+ * The options of `applyHatching` for a preset, overridden by your own options. Parameters of the material and of the outlines override
+ * those of the preset one by one, all other options as a whole. `outlines: false` leaves out the outlines of the preset, `outlines:
+ * true` keeps them.
+ *
+ * @param preset the name of a preset, or a preset of your own
+ * @throws RangeError if there is no preset of this name
+ */
+export function withPreset(
+  preset: PresetName | HatchingPreset,
+  { preset: _preset, ...options }: ApplyHatchingOptions = {},
+): ApplyHatchingOptions {
+  const { material, outlines, tonalArtMap } = presetOf(preset);
+  const { material: own = {}, outlines: ownOutlines = true } = options;
+  const namesMap = typeof own === 'object' && own?.tonalArtMap !== undefined;
+  // A preset with `tonalArtMap: null` needs no map. If your options change its technique to one that does, it gets the default map.
+  const ofPreset = tonalArtMap ?? undefined;
+  return {
+    ...options,
+    material: typeof own === 'function' ? (...args) => ({ ...material, ...own(...args) }) : { ...material, ...own },
+    outlines:
+      typeof ownOutlines === 'object' && ownOutlines !== null
+        ? { ...outlines, ...ownOutlines }
+        : ownOutlines && outlines,
+    tonalArtMap: options.tonalArtMap === undefined && !namesMap ? ofPreset : options.tonalArtMap,
+  };
+}
+
+function presetOf(preset: PresetName | HatchingPreset): HatchingPreset {
+  if (typeof preset === 'object' && preset !== null) return preset;
+  if (Object.hasOwn(presets, preset)) return presets[preset];
+  throw new RangeError(
+    `applyHatching: there is no preset "${preset}". Use one of ${Object.keys(presets).join(', ')}, or pass a preset of your own.`,
+  );
+}
+
+/**
+ * Returns a copy of a preset with all widths and distances in CSS pixels multiplied by a factor. Sizes on the object stay the same. For
+ * screens it is not needed: materials apply the renderer's pixel ratio themselves.
+ *
+ * @param factor dpi / 96 for a print that is drawn at a pixel ratio of 1, since a CSS pixel is 1/96 inch. The edges of strokes stay one
+ * pixel soft.
+ * @throws RangeError if the factor is not a positive number
+ */
+export function scalePreset(preset: HatchingPreset, factor: number): HatchingPreset {
+  if (!(factor > 0 && factor < Infinity)) {
+    throw new RangeError(`scalePreset: the factor is ${factor}, but must be a positive number, such as 2.`);
+  }
+  const { material, outlines } = preset;
+  return {
+    ...preset,
+    material: { ...material, ...scaledSizes(material, factor) },
+    outlines: { ...outlines, ...scaledOutlineSizes(outlines, factor) },
+  };
+}

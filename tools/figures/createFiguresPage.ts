@@ -1,4 +1,4 @@
-import { setPageState } from '../../src/playground/page/setPageState.js';
+import { setPageState } from '../../src/playground/page/elements.js';
 import { FrameScheduler } from '../../src/playground/viewport/Frames.js';
 import type { TechniqueChoice } from './FigureDrawing.js';
 import { FigurePainter } from './FigurePainter.js';

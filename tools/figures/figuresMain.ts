@@ -1,4 +1,4 @@
-import { setPageState } from '../../src/playground/page/setPageState.js';
+import { setPageState } from '../../src/playground/page/elements.js';
 import { createFiguresPage, layOutFigures } from './createFiguresPage.js';
 import { figuresPage } from './figuresPage.js';
 

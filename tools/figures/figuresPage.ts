@@ -1,4 +1,4 @@
-import { findElement } from '../../src/playground/page/findElement.js';
+import { findElement } from '../../src/playground/page/elements.js';
 
 /** The elements of figures/index.html that the script works on. */
 export const figuresPage = {

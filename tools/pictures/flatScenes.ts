@@ -9,11 +9,10 @@ import {
   type Object3D,
   PlaneGeometry,
 } from 'three';
-import { bookshelf } from '../../src/playground/models/bookshelf.js';
 import { gearWheel } from '../../src/playground/models/gearWheel.js';
 import { makeFox } from '../../src/playground/models/makeFox.js';
 import { makeHouse } from '../../src/playground/models/makeHouse.js';
-import { makeRoom } from '../../src/playground/models/makeRoom.js';
+import { bookshelf, makeRoom } from '../../src/playground/models/makeRoom.js';
 import { makeStairs } from '../../src/playground/models/makeStairs.js';
 import { makeStreet } from '../../src/playground/models/makeStreet.js';
 import { shellChair } from '../../src/playground/models/shellChair.js';

@@ -1,4 +1,4 @@
-import { page } from '../elements/page.js';
+import { page } from '../page/page.js';
 import type { DrawingOpener } from '../session/DrawingOpener.js';
 import type { DrawingStore } from '../session/DrawingStore.js';
 import type { Session } from '../session/Session.js';

@@ -1,4 +1,4 @@
-import { findElement } from '../page/findElement.js';
+import { findElement } from '../page/elements.js';
 
 /** Keys and gestures, grouped by where they work. All keys of a row do what `text` says. */
 const KEYS: readonly { about: string; rows: readonly (readonly [keys: string, text: string])[] }[] = [

@@ -1,6 +1,5 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
-import { textButton } from '../elements/createElement.js';
-import { findElement } from '../page/findElement.js';
+import { findElement, textButton } from '../page/elements.js';
 import type { DrawingStore } from '../session/DrawingStore.js';
 import type { KeptDrawing } from '../storage/KeptDrawings.js';
 

@@ -1,6 +1,6 @@
 import type { CodeDrawing } from '../code/CodeModel.js';
 import type { CodeForm } from '../code/codeForms.js';
-import { findElement } from '../page/findElement.js';
+import { findElement } from '../page/elements.js';
 import type { Session } from '../session/Session.js';
 import { copyText, download, fileStem } from './download.js';
 

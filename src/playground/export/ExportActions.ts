@@ -5,8 +5,8 @@ import type { Session } from '../session/Session.js';
 import type { Remedy, Status } from '../tasks/Status.js';
 import { sentenceFor } from '../tasks/Status.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
+import type { SaveDrawing } from './download.js';
 import { copyText, download, fileStem } from './download.js';
-import type { SaveDrawing } from './SaveDrawing.js';
 
 /** A picture of a simplified model may deviate by this many pixels from the full model without a note. */
 const MOST_PIXELS = 1 / 3;

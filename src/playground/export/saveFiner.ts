@@ -1,7 +1,7 @@
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import { formDrawn } from '../../viewer/settings/settingValues.js';
+import type { SaveDrawing } from './download.js';
 import { finerModel } from './finerModel.js';
-import type { SaveDrawing } from './SaveDrawing.js';
 import { savePicture } from './savePicture.js';
 
 /**

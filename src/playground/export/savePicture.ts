@@ -4,8 +4,8 @@ import type { Settings } from '../../viewer/settings/settings.js';
 import { describePrint, drawPicture, nearestRadius, type PrintPlan, ZipWriter } from '../print/print.js';
 import type { PictureSession } from '../viewport/PictureSession.js';
 import { behindCurtain } from './behindCurtain.js';
+import type { SaveDrawing } from './download.js';
 import { download } from './download.js';
-import type { SaveDrawing } from './SaveDrawing.js';
 
 /** The maximum number of pixels of a clipboard picture; other programs may fail to paste more. */
 const MOST_COPIED_PIXELS = 64_000_000;

@@ -5,8 +5,8 @@ import type { Settings } from '../../viewer/settings/settings.js';
 import { drawPicture, type PrintPlan, planSvg, printablePlan } from '../print/print.js';
 import type { PictureSession } from '../viewport/PictureSession.js';
 import { behindCurtain } from './behindCurtain.js';
+import type { SaveDrawing } from './download.js';
 import { download } from './download.js';
-import type { SaveDrawing } from './SaveDrawing.js';
 
 /** The share of the progress for drawing the raster picture below the lines. */
 const PICTURE = 0.5;

@@ -1,9 +1,9 @@
-import { viewSize } from '../elements/viewSize.js';
+import { viewSize } from '../page/page.js';
 import { recordVideo } from '../video/recordVideo.js';
 import { PictureSession } from '../viewport/PictureSession.js';
+import { raiseCurtain } from './behindCurtain.js';
+import type { SaveDrawing } from './download.js';
 import { download } from './download.js';
-import { raiseCurtain } from './raiseCurtain.js';
-import type { SaveDrawing } from './SaveDrawing.js';
 
 /** Records the video by the settings, and shows its frames meanwhile. */
 export const saveVideo: SaveDrawing = async (viewport, settings, name, report, signal) => {

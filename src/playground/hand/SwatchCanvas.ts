@@ -1,5 +1,5 @@
 import type { HandStroke } from 'three-hatching';
-import { element } from '../elements/createElement.js';
+import { element } from '../page/elements.js';
 import { type PenSample, StrokeRecorder } from './StrokeRecorder.js';
 import { SHEET, SWATCHES } from './swatches.js';
 

@@ -3,8 +3,7 @@ import type { Report } from '../../viewer/drawing/buildModel.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import type { OwnHand } from '../maps/OwnHand.js';
-import { ownHandOf } from '../maps/readOwnHand.js';
-import { LEAST_STROKES, learnOwnHand } from './learnOwnHand.js';
+import { LEAST_STROKES, learnOwnHand, ownHandOf } from './ownHand.js';
 import { layOut } from './swatches.js';
 
 /** The maximum size of a picture file, in bytes. */

@@ -46,7 +46,7 @@ export class MapLoader {
       signal.throwIfAborted();
       const options = { signal, onProgress };
       if (this.settings.mapStyle === 'ownHand') {
-        const { showHandMap } = await import('./showHandMap.js');
+        const { showHandMap } = await import('./mapFiles.js');
         signal.throwIfAborted();
         await showHandMap(cache, { ...this.settings }, options, this);
         return;

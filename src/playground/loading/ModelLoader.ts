@@ -12,18 +12,25 @@ import type { SavedView } from '../../viewer/settings/savedViews.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
 import type { CodeModel } from '../code/CodeModel.js';
-import { page } from '../elements/page.js';
 import { placeholderOf } from '../maps/placeholderOf.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../models/models.js';
-import { setPageState } from '../page/setPageState.js';
+import { setPageState } from '../page/elements.js';
+import { page } from '../page/page.js';
 import { loadModelFiles } from '../reading/loadModelFiles.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
+import { whenDrawn } from '../viewport/graphicsCard.js';
 import type { Viewport } from '../viewport/Viewport.js';
-import { whenDrawn } from '../viewport/whenDrawn.js';
 import { FileViews } from './FileViews.js';
 import type { lightModel } from './lightModel.js';
 import { type CaptionContent, ModelCaption } from './ModelCaption.js';
-import type { ShownFiles } from './sortDrop.js';
+
+/** The files of the shown model, and the names of missing ones. */
+export interface ShownFiles {
+  files: readonly ModelFile[];
+  missing: readonly string[];
+  /** The files of the archive, if the model came in one. */
+  unpacked?: readonly ModelFile[] | undefined;
+}
 
 interface LoadedModel {
   title: string;

@@ -1,7 +1,7 @@
 import { acceptSetting } from '../../viewer/settings/acceptSetting.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { placeOfLight, placeOfSecondLight } from '../../viewer/settings/settingValues.js';
-import { page } from '../elements/page.js';
+import { page } from '../page/page.js';
 import { LightHandle } from '../viewport/light/LightHandle.js';
 import type { Viewport } from '../viewport/Viewport.js';
 

@@ -1,6 +1,6 @@
 import type { UpAxis } from '../../viewer/files/mesh/findUpAxis.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
-import { page } from '../elements/page.js';
+import { page } from '../page/page.js';
 import type { Session } from '../session/Session.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
 import type { Viewport } from '../viewport/Viewport.js';

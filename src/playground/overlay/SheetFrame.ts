@@ -1,6 +1,5 @@
 import type { Settings } from '../../viewer/settings/settings.js';
-import { page } from '../elements/page.js';
-import { drawnView } from '../elements/viewSize.js';
+import { drawnView, page } from '../page/page.js';
 import { sheetOnView } from '../print/printPlan.js';
 import type { Viewport } from '../viewport/Viewport.js';
 

@@ -4,8 +4,7 @@ import { PRESET_LABELS, PRESET_NAMES } from '../../viewer/settings/presetLabels.
 import { presetOf, wholeLook } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import type { SettingGroup } from '../../viewer/settings/table/rows.js';
-import { page } from '../elements/page.js';
-import { drawnView } from '../elements/viewSize.js';
+import { drawnView, page } from '../page/page.js';
 import type { SavedLooks } from '../savedLooks/SavedLooks.js';
 import type { RendererChoice } from '../session/RendererChoice.js';
 import type { Session } from '../session/Session.js';
@@ -63,7 +62,7 @@ export class Card {
     this.savedLooks = parts.later(async () => {
       const [{ SavedLooks }, { ModelVariants }] = await Promise.all([
         import('../savedLooks/SavedLooks.js'),
-        import('../savedLooks/ModelVariants.js'),
+        import('../savedLooks/SavedLooks.js'),
       ]);
       const variants = new ModelVariants(session.modelLoader);
       return new SavedLooks(viewport, settings, session.views, variants, (look) => session.useLook(look));

@@ -1,6 +1,6 @@
 import type { Motion } from '../../viewer/drawing/Motion.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
-import { type SliderValue, ValueSlider } from '../elements/ValueSlider.js';
+import { type SliderValue, ValueSlider } from '../page/ValueSlider.js';
 
 /** The maximum number of morph target sliders. */
 const MAX_MORPH_SLIDERS = 64;

@@ -1,7 +1,8 @@
 import { type Controller, GUI } from 'lil-gui';
 import { hasEffect, isChoiceKnown, presentUnit } from '../../viewer/settings/effects.js';
+import { LIGHT_LOOKS } from '../../viewer/settings/lightLooks.js';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../viewer/settings/settings.js';
-import { looksOf } from '../../viewer/settings/settingValues.js';
+import { looksOf, savedFormat } from '../../viewer/settings/settingValues.js';
 import {
   type NumberSetting,
   SETTING_GROUPS,
@@ -9,7 +10,12 @@ import {
   type SettingGroup,
 } from '../../viewer/settings/table/rows.js';
 import { withBoldnessAndDensity } from '../../viewer/settings/withBoldnessAndDensity.js';
+import type { Dialogs } from '../dialogs/Dialogs.js';
+import type { Exports } from '../export/Exports.js';
+import { findElement } from '../page/elements.js';
 import { type DrawnView, millimetresPerPixel } from '../print/printPlan.js';
+import type { Session } from '../session/Session.js';
+import type { LaterParts } from '../tasks/LaterParts.js';
 
 /** Choices that refer to the user's own hand or files. */
 type OwnChoice = 'ownHand' | 'file';
@@ -190,4 +196,40 @@ function note(...texts: string[]): HTMLElement {
   element.className = 'note';
   for (const text of texts) element.append(Object.assign(document.createElement('span'), { textContent: text }));
   return element;
+}
+
+/** The buttons of the panel by group of settings. */
+export function panelActions(
+  session: Session,
+  exports: Exports,
+  dialogs: Dialogs,
+  parts: LaterParts,
+  fillScreen: () => void,
+): readonly PanelAction[] {
+  const { viewport, settings } = session;
+  const hand = parts.later(async () => {
+    const { HandSheet } = await import('../hand/HandSheet.js');
+    return new HandSheet(findElement('hand-sheet'), session);
+  });
+  const lights = Object.entries(LIGHT_LOOKS).map(
+    ([label, look]): PanelAction => ({ label, group: 'Light', run: () => session.change(look) }),
+  );
+  const fullScreen: PanelAction = { label: 'Full screen (F)', group: 'View', run: fillScreen };
+  const share: PanelAction = { label: 'Share this drawing', group: 'Picture', run: () => exports.run('share') };
+  return [
+    { label: 'Draw with your own hand', group: 'Drawing', run: () => hand.use((sheet) => sheet.open()) },
+    { label: 'Show the map', group: 'Drawing', run: () => dialogs.showMap() },
+    ...lights,
+    { label: 'Show the whole model', group: 'View', run: viewport.view.frameForUser },
+    ...(document.fullscreenEnabled ? [fullScreen] : []),
+    { label: () => `Save ${savedFormat(settings)}`, group: 'Picture', run: () => exports.run('savePng') },
+    { label: 'Save SVG, as lines', group: 'Picture', run: () => exports.run('saveSvg') },
+    { label: 'Copy the picture', group: 'Picture', run: () => exports.copy() },
+    { label: 'Save with the model, as ZIP', group: 'Picture', run: () => exports.run('saveDrawing') },
+    ...('share' in navigator ? [share] : []),
+    { label: 'Copy a link to this drawing', group: 'Picture', run: () => exports.run('copyLink') },
+    { label: 'Copy the facts for a report', group: 'Picture', run: () => exports.run('copyFacts') },
+    { label: 'Code and embedding', group: 'Picture', run: () => exports.openCode() },
+    { label: 'Record a video', group: 'Video', run: () => exports.run('saveVideo') },
+  ];
 }

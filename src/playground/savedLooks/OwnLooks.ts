@@ -1,8 +1,8 @@
 import { acceptLook, hasLook, type OwnLook } from '../../viewer/settings/ownLook.js';
 import { plainName } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
+import { newId } from '../session/DrawingStore.js';
 import { KeptLooks, MOST_LOOKS } from '../storage/KeptLooks.js';
-import { newId } from '../storage/newId.js';
 import { freeName, type NamedItem, type NamedList } from './NamedList.js';
 
 /** The user's saved looks, stored by this browser. */

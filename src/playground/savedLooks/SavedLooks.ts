@@ -1,10 +1,10 @@
 import type { OwnLook } from '../../viewer/settings/ownLook.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import { findElement } from '../page/findElement.js';
+import { findElement } from '../page/elements.js';
 import { thumbnailOf } from '../storage/thumbnailOf.js';
 import type { Viewport } from '../viewport/Viewport.js';
-import { type BarItems, NamedBar } from './NamedBar.js';
-import { type ListWords, NamedListDialog } from './NamedListDialog.js';
+import type { NamedItem } from './NamedList.js';
+import { type BarItems, type ListWords, NamedBar, NamedListDialog } from './NamedListDialog.js';
 import { OwnLooks } from './OwnLooks.js';
 import type { SavedViews } from './SavedViews.js';
 
@@ -54,5 +54,31 @@ export class SavedLooks {
 
   open(which: keyof typeof WORDS): void {
     this.dialog.open(this[which], WORDS[which]);
+  }
+}
+
+/** Shows variants of a model. */
+interface VariantShower {
+  readonly variants: readonly string[];
+  /** Index of the shown variant, if one was chosen. */
+  readonly variant: number | undefined;
+  showVariant(variant: number | undefined): void;
+}
+
+/** The material variants of the shown model. */
+export class ModelVariants implements BarItems {
+  constructor(private readonly loader: VariantShower) {}
+
+  get items(): readonly NamedItem[] {
+    return this.loader.variants.map((name) => ({ name }));
+  }
+
+  /** Shows a variant; choosing the shown one again returns to the file's default materials. */
+  choose(index: number): void {
+    this.loader.showVariant(this.isShown(index) ? undefined : index);
+  }
+
+  isShown(index: number): boolean {
+    return this.loader.variant === index;
   }
 }

@@ -1,6 +1,6 @@
 import { thumbnailWhen } from '../storage/thumbnailOf.js';
+import { whenDrawn } from '../viewport/graphicsCard.js';
 import type { Viewport } from '../viewport/Viewport.js';
-import { whenDrawn } from '../viewport/whenDrawn.js';
 
 /** Takes a thumbnail once the drawing is complete and nothing moves. */
 export class KeptPicture {

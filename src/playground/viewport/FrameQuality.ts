@@ -1,6 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import { AdaptiveResolution } from 'three-hatching';
-import { whenDrawn } from './whenDrawn.js';
+import { whenDrawn } from './graphicsCard.js';
 
 /**
  * The resolution of a sketch per side. The first frame of a model is a sketch, so that slow machines show something early: in lower

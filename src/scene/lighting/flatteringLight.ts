@@ -2,8 +2,7 @@ import { type Camera, Matrix4, type Object3D, Vector3 } from 'three';
 import { checkNames } from '../../worker/TaskOptions.js';
 import { assertTree } from '../assertTree.js';
 import { chooseLight } from './chooseLight.js';
-import { OuterPoints } from './OuterPoints.js';
-import { readTriangles } from './readTriangles.js';
+import { OuterPoints, readTriangles } from './readTriangles.js';
 import { seenSurface } from './seenSurface.js';
 
 /** A light that suits a view of an object. */

@@ -3,8 +3,7 @@ import type { PrepareHatchingGeometryOptions } from '../../material/geometry/Pre
 import { prepareWithForm } from '../../material/geometry/prepareHatchingGeometry.js';
 import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
 import { maxWorkers } from '../../worker/TaskOptions.js';
-import { cornerCount, type GeometryPlan } from '../jointForms/FormGroup.js';
-import { progressParts } from './progressParts.js';
+import { cornerCount, type GeometryPlan } from '../geometryPlans.js';
 
 /** The number of corners that are baked at a time, unless one geometry has more: a bake takes some hundred bytes per corner. */
 const MAX_CORNERS = 6_000_000;
@@ -16,7 +15,7 @@ const CORNERS_PER_WORKER = 600_000;
 const FORM_SHARE = 0.75;
 
 /** Listeners that are called while geometries are baked. */
-export interface BakeListeners {
+interface BakeListeners {
   /** Called with every geometry as soon as it is ready, so that it can be freed if a later one is aborted. */
   onBaked(geometry: BufferGeometry): void;
   /** Called with the number of finished geometries, faulty ones included, and the number of all. */
@@ -37,7 +36,7 @@ export async function bakeGeometries(
 ): Promise<Map<BufferGeometry, BufferGeometry | Error>> {
   const grouped = new Map([...plans].filter(([, { group }]) => group));
   if (grouped.size === 0) return bakeEach(plans, new Map(), options, listeners);
-  const { bakeGroups } = await import('../jointForms/groups.js');
+  const { bakeGroups } = await import('../jointForms.js');
   const share = (FORM_SHARE * cornersOf(grouped.keys())) / Math.max(1, cornersOf(plans.keys()));
   const [onForm, onBake] = progressParts(options.onProgress, [share, 1 - share]);
   const forms = await bakeGroups(grouped, { ...options, onProgress: onForm });
@@ -126,4 +125,27 @@ async function bakeEach(
   report();
   // The results are in the order of `plans`, whichever bake finished first.
   return new Map([...plans.keys()].map((geometry) => [geometry, results.get(geometry)!]));
+}
+
+/**
+ * Divides a progress among concurrent parts: it is the weighted sum of theirs.
+ *
+ * @param shares the share of each part; together they are 1
+ * @returns a listener for each part, or undefined if there is none for the whole
+ */
+export function progressParts<Shares extends readonly number[]>(
+  onProgress: ((progress: number) => void) | undefined,
+  shares: readonly [...Shares],
+): { [Index in keyof Shares]: ((progress: number) => void) | undefined } {
+  const missing = shares.slice();
+  const listeners = shares.map((share, part) => {
+    if (!onProgress) return undefined;
+    return (progress: number): void => {
+      missing[part] = share * (1 - progress);
+      // The sum of what is missing ends at exactly 0.
+      const sum = missing.reduce((all, one) => all + one, 0);
+      onProgress(Math.max(0, 1 - sum));
+    };
+  });
+  return listeners as { [Index in keyof Shares]: ((progress: number) => void) | undefined };
 }

@@ -4,7 +4,7 @@ import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
 import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import { isToBeMade, type WantedMap } from '../applyOptions.js';
-import { progressParts } from './progressParts.js';
+import { progressParts } from './bakeGeometries.js';
 
 /**
  * Returns the map for each style that materials name: the map of the option for all of them, or else the shared map of the style. A map

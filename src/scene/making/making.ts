@@ -8,9 +8,8 @@ import { worldMatrices, worldScale } from '../worldMatrices.js';
 /** The code that makes materials, geometries and maps. It is fetched when a scene is hatched; pages need nothing of it before. */
 export { geometryPlans } from '../geometryPlans.js';
 export { MaterialReplacer } from '../MaterialReplacer.js';
-export { bakeGeometries } from './bakeGeometries.js';
+export { bakeGeometries, progressParts } from './bakeGeometries.js';
 export { makeMaps } from './makeMaps.js';
-export { progressParts } from './progressParts.js';
 
 /**
  * Runs jobs concurrently, and resolves with their results. If one fails, the others are aborted, and once all have ended the promise is

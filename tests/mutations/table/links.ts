@@ -25,7 +25,7 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'the element frames what is not seen, too',
-    file: 'src/element/extentOf.ts',
+    file: 'src/element/Drawing.ts',
     find: 'if (!one || isClear(one)) continue;',
     replace: 'if (!one) continue;',
     caughtBy: {

@@ -26,7 +26,7 @@ export const scene: readonly Mutation[] = [
   },
   {
     name: 'numbers out of range become the least',
-    file: 'src/scene/hatchingMaterialFrom.ts',
+    file: 'src/scene/MaterialReplacer.ts',
     find: 'Math.min(Math.max(value as number, from), to)',
     replace: 'from',
     caughtBy: {
@@ -37,7 +37,7 @@ export const scene: readonly Mutation[] = [
   },
   {
     name: 'clipping planes are not taken over',
-    file: 'src/scene/hatchingMaterialFrom.ts',
+    file: 'src/scene/MaterialReplacer.ts',
     find: 'material.clippingPlanes = source.clippingPlanes;',
     replace: '',
     caughtBy: {
@@ -48,7 +48,7 @@ export const scene: readonly Mutation[] = [
   },
   {
     name: 'outlines of a preset keep their width in print',
-    file: 'src/scene/scalePreset.ts',
+    file: 'src/scene/presets.ts',
     find: '{ ...outlines, ...scaledOutlineSizes(outlines, factor) }',
     replace: 'outlines',
     caughtBy: {

@@ -25,7 +25,7 @@ export const shadows: readonly Mutation[] = [
   },
   {
     name: 'shadows of a model reach behind the light',
-    file: 'src/scene/lighting/shadowOnSheet.ts',
+    file: 'src/scene/lighting/chooseLight.ts',
     find: 'points[i] - height * east',
     replace: 'points[i] + height * east',
     caughtBy: {

@@ -59,7 +59,7 @@ export const undo: readonly Mutation[] = [
   },
   {
     name: 'the address does not wait for the model',
-    file: 'src/playground/session/AddressWriter.ts',
+    file: 'src/playground/session/DrawingStore.ts',
     find: ' || modelLoader.isLoading',
     replace: '',
     caughtBy: {
@@ -70,7 +70,7 @@ export const undo: readonly Mutation[] = [
   },
   {
     name: 'changes of the last moment are lost',
-    file: 'src/playground/session/AddressWriter.ts',
+    file: 'src/playground/session/DrawingStore.ts',
     find: 'if (this.timer !== undefined) this.write();',
     replace: '',
     caughtBy: {

@@ -1,10 +1,10 @@
 import { expect, test, vi } from 'vitest';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
-import { FollowedMaterial } from '../../../src/react/FollowedMaterial.js';
+import { FollowedMaterial } from '../../../src/react/elements.js';
 import { eventually } from '../patience.js';
 
 const invalidate = vi.hoisted(() => vi.fn());
-vi.mock('@react-three/fiber', () => ({ invalidate }));
+vi.mock('@react-three/fiber', () => ({ extend() {}, invalidate }));
 
 test('a canvas that draws on demand draws again when the map is there, once, and when another is', async () => {
   const material = new FollowedMaterial();

@@ -2,8 +2,7 @@ import { Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import { expect, test } from 'vitest';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { presets } from '../../../src/scene/presets.js';
-import { withPreset } from '../../../src/scene/withPreset.js';
+import { presets, withPreset } from '../../../src/scene/presets.js';
 
 test('options override a preset, parameter by parameter', () => {
   expect(withPreset('pencil')).toEqual(presets.pencil);

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
-import { presets } from '../../../../src/scene/presets.js';
-import { withPreset } from '../../../../src/scene/withPreset.js';
+import { presets, withPreset } from '../../../../src/scene/presets.js';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { generateHatchImages } from '../../../../src/strokes/tamImages/generateHatchImages.js';
 import { finish, requestOf } from '../../strokes/draw.js';

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { changedNumbers, learnOwnHand, withNumbers } from '../../../../src/playground/hand/learnOwnHand.js';
+import { changedNumbers, learnOwnHand, withNumbers } from '../../../../src/playground/hand/ownHand.js';
 import type { HandStroke } from '../../../../src/strokes/hand/Hand.js';
 
 const strokes: HandStroke[] = Array.from({ length: 8 }, (_, i) => {

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { sortDrop } from '../../../../src/playground/loading/sortDrop.js';
+import { sortDrop } from '../../../../src/playground/loading/openDropped.js';
 import type { ModelFile } from '../../../../src/viewer/files/readModel.js';
 
 const file = (name: string): ModelFile => ({ name, content: new Blob() });

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { importAmd } from '../../../../src/playground/reading/importAmd.js';
+import { importAmd } from '../../../../src/playground/reading/loadDraco.js';
 
 const script = (body: string) => `data:text/javascript,${encodeURIComponent(body)}`;
 const holding = (value: string) => script(`var Held = '${value}'; if (define.amd) define([], () => Held);`);

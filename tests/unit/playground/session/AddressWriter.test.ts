@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { AddressWriter } from '../../../../src/playground/session/AddressWriter.js';
+import { AddressWriter } from '../../../../src/playground/session/DrawingStore.js';
 import type { SessionListener } from '../../../../src/playground/session/Session.js';
 
 /** The window of the page, which is told when the page is left. */

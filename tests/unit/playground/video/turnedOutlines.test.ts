@@ -1,6 +1,6 @@
 import { TorusKnotGeometry, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { turnedOutlines } from '../../../../src/playground/video/FramePoser.js';
+import { turnedOutlines } from '../../../../src/playground/video/videoPlan.js';
 import { fitCamera } from '../../../../src/viewer/sceneSetup/framing.js';
 import { createCamera } from '../../../../src/viewer/sceneSetup/LensCamera.js';
 

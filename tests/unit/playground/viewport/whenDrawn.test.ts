@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { whenDrawn } from '../../../../src/playground/viewport/whenDrawn.js';
+import { whenDrawn } from '../../../../src/playground/viewport/graphicsCard.js';
 import { fakeFences } from './fakeFences.js';
 
 beforeEach(() => void vi.useFakeTimers());

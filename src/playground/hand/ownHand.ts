@@ -1,10 +1,10 @@
-import type { Hand, HandNumbers, HandStroke } from 'three-hatching';
+import { type Hand, type HandNumbers, type HandStroke, learnHand } from 'three-hatching';
 import { checkHand } from '../../strokes/hand/checkHand.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import { readHand, writeHand } from '../../viewer/settings/handLink.js';
-import { HAND_FILE, type OwnHand } from './OwnHand.js';
+import { HAND_FILE, type OwnHand } from '../maps/OwnHand.js';
 
 /** Creates the user's own hand, with its text for links and its file. */
 export const ownHandOf = (
@@ -48,4 +48,44 @@ export async function readHandFile({ name, content }: ModelFile): Promise<OwnHan
     throw new ModelError((error as Error).message);
   }
   return ownHandOf(value);
+}
+
+/** The least number of strokes that make a hand. */
+export const LEAST_STROKES = 5;
+
+/**
+ * The user's own hand with other strokes: learnt anew from {@link LEAST_STROKES} strokes on, except for numbers that the user has changed.
+ * Undefined without strokes.
+ */
+export function learnOwnHand(strokes: readonly HandStroke[], changed: Partial<HandNumbers>): OwnHand | undefined {
+  if (strokes.length === 0) return undefined;
+  const none: OwnHand = { strokes, hand: undefined, changed, link: undefined, files: undefined };
+  if (strokes.length < LEAST_STROKES) return none;
+  try {
+    return withNumbers({ ...none, hand: learnHand(strokes) }, changed);
+  } catch (error) {
+    // Nothing can be learnt from dots alone.
+    if (error instanceof RangeError) return none;
+    throw error;
+  }
+}
+
+/** The relative tolerance within which a number counts as learnt: strokes are rounded in storage. */
+const CHANGED_SHARE = 0.1;
+const CHANGED_STEPS = 0.02;
+
+/** The numbers of a hand that differ from those learnt from its strokes, because the user changed them. */
+export function changedNumbers({ strokes, numbers }: Hand): Partial<HandNumbers> {
+  const learnt = learnHand(strokes).numbers;
+  const names = Object.keys(numbers) as (keyof HandNumbers)[];
+  const isChanged = (name: keyof HandNumbers): boolean =>
+    Math.abs(numbers[name] - learnt[name]) > CHANGED_STEPS + CHANGED_SHARE * Math.abs(learnt[name]);
+  return Object.fromEntries(names.filter(isChanged).map((name) => [name, numbers[name]]));
+}
+
+/** The hand with some numbers changed. */
+export function withNumbers(own: OwnHand, changed: Partial<HandNumbers>): OwnHand {
+  if (!own.hand) return { ...own, changed };
+  const hand = { ...own.hand, numbers: { ...own.hand.numbers, ...changed } };
+  return ownHandOf(hand, own.strokes, changed);
 }

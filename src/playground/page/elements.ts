@@ -1,3 +1,23 @@
+/**
+ * Returns the element with an id.
+ *
+ * @throws Error if the HTML has none
+ */
+export function findElement(id: string): HTMLElement {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`findElement: the page has no element with the id "${id}"; add it back to its HTML.`);
+  return element;
+}
+
+/**
+ * Sets the state of the page for style sheets and tests: `lost` means that the graphics context is lost, `failed` that there is nothing to
+ * draw.
+ */
+export function setPageState(state: 'loading' | 'ready' | 'lost' | 'failed'): void {
+  const { dataset } = document.documentElement;
+  if (dataset.state !== state) dataset.state = state;
+}
+
 /** Creates a dialog button that looks like text. @param name accessible name, by default the label */
 export function textButton(label: string, run: () => void, name?: string): HTMLButtonElement {
   const button = Object.assign(document.createElement('button'), { type: 'button', textContent: label });

@@ -1,17 +1,38 @@
-/** Draws large meshes with no more triangles than can be seen. This module is fetched if the option `detail` is set. */
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
-import { warn } from '../../material/diagnostics/warn.js';
-import { isFormExpected } from '../../material/geometry/formGeometry.js';
-import { formLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
-import type { DetailRequest } from '../../mesh/detail/simplifyHatched.js';
-import { runSliced } from '../../mesh/runSliced.js';
-import { runTask } from '../../worker/runTask.js';
-import type { TaskOptions } from '../../worker/TaskOptions.js';
-import type { MeshLook } from '../geometryPlans.js';
-import { isBatched } from '../surfaceMeshes.js';
-import { checkDetail, type DetailOptions } from './DetailOptions.js';
-import { LeveledGeometry } from './LeveledGeometry.js';
-import { LeveledMesh } from './LeveledMesh.js';
+import { warn } from '../material/diagnostics/warn.js';
+import { isFormExpected } from '../material/geometry/formGeometry.js';
+import { formLayout, hatchNormal } from '../mesh/bake/attributeLayouts.js';
+import type { DetailRequest } from '../mesh/detail/simplifyHatched.js';
+import { runSliced } from '../mesh/runSliced.js';
+import { runTask } from '../worker/runTask.js';
+import type { TaskOptions } from '../worker/TaskOptions.js';
+import type { MeshLook } from './geometryPlans.js';
+import { LeveledGeometry, LeveledMesh } from './LeveledMesh.js';
+import { isBatched } from './surfaceMeshes.js';
+
+/** Draws large meshes with no more triangles than can be seen. This module is fetched if the option `detail` is set. */
+
+/** Options for drawing large meshes with no more triangles than can be seen. */
+export interface DetailOptions {
+  /**
+   * The address of meshoptimizer's simplifier, which is not part of this library: install `meshoptimizer`, and let your bundler provide
+   * the address of its file. With Vite:
+   *
+   *     import simplifier from 'meshoptimizer/simplifier?url';
+   *
+   * In a page without a bundler `import.meta.resolve('meshoptimizer/simplifier')` is the address that the import map gives.
+   */
+  simplifier: string | URL;
+}
+
+/** @throws TypeError that names the remedy */
+function checkDetail(detail: DetailOptions): void {
+  const { simplifier } = Object(detail) as Partial<DetailOptions>;
+  if (simplifier instanceof URL || (typeof simplifier === 'string' && simplifier !== '')) return;
+  throw new TypeError(
+    'applyHatching: detail must be an object whose simplifier is the address of meshoptimizer/simplifier, or left out.',
+  );
+}
 
 /** The number of triangles below which meshes are drawn whole: a GPU would not be faster with fewer. */
 const FEWEST_TRIANGLES = 200_000;

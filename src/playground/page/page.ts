@@ -1,4 +1,7 @@
-import { findElement } from '../page/findElement.js';
+import { ABOUT_SQUARE } from '../../viewer/sceneSetup/framing.js';
+import type { DrawnView } from '../print/printPlan.js';
+import type { Viewport } from '../viewport/Viewport.js';
+import { findElement } from './elements.js';
 
 /** The elements of index.html that the scripts use. */
 export const page = {
@@ -60,3 +63,34 @@ export const page = {
     mend: findElement('mend') as HTMLButtonElement,
   },
 };
+
+/**
+ * The form of the page by its query: `?embed` in a frame of another page, `?kiosk` on a public screen. Both show only the drawing and its
+ * light handles.
+ */
+type PageForm = 'playground' | 'embed' | 'kiosk';
+
+export const pageForm: PageForm = formOf(location.search);
+
+function formOf(query: string): PageForm {
+  const parameters = new URLSearchParams(query);
+  if (parameters.has('kiosk')) return 'kiosk';
+  return parameters.has('embed') ? 'embed' : 'playground';
+}
+
+// Read by the style sheet.
+document.documentElement.dataset.form = pageForm;
+document.documentElement.classList.toggle('is-bare', pageForm !== 'playground');
+
+/** The size of the viewport in CSS pixels. */
+export function viewSize(): { width: number; height: number } {
+  const { clientWidth: width, clientHeight: height } = page.viewport;
+  return { width, height };
+}
+
+/** The viewport's size, and the orientation of a sheet that suits the model; if either does, that of the viewport. */
+export function drawnView({ view: { proportion } }: Viewport): DrawnView {
+  const size = viewSize();
+  const isSquare = Math.max(proportion, 1 / proportion) < ABOUT_SQUARE;
+  return { ...size, isWide: isSquare ? size.width > size.height : proportion > 1 };
+}
