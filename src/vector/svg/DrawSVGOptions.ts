@@ -31,8 +31,8 @@ export interface DrawSVGOptions extends TaskOptions {
    */
   leastWidth?: number | undefined;
   /**
-   * CSS pixels per inch of the sheet, 10 to 1200, which the sizes of materials and outlines are converted by. More makes finer lines. Default:
-   * 96, as in CSS.
+   * CSS pixels per inch of the sheet, above 0 and up to 2400, which the sizes of materials and outlines are converted by. More makes finer
+   * lines. Default: 96, as in CSS.
    */
   dpi?: number | undefined;
   /**
@@ -111,7 +111,7 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
     ...{ width, height, margin, order },
     pen: isPen ? checkNumber('penWidth', options.penWidth ?? 0.3, { above: 0 }, 'drawSVG') : null,
     leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
-    dpi: checkNumber('dpi', options.dpi ?? 96, { from: 10, to: 1200 }, 'drawSVG'),
+    dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0, to: 2400 }, 'drawSVG'),
     animate: secondsOf(options.animate ?? false),
     paper: paper === null ? null : `#${new Color(paper).getHexString()}`,
     picture,
