@@ -2,13 +2,13 @@ import { mat4, vec3 } from 'gl-matrix';
 import { quickOnly } from '../browser/quickIf.js';
 import { expect, type TestOnOnePage } from '../browser/test.js';
 import { type AnchoredSettings, anchoredExcess, formAxisOf, slantAxisOf } from '../reference/anchoredReference.js';
-import { quadraticGradient } from '../reference/engravedReference.js';
 import { interpolated } from '../reference/interpolated.js';
 import { trianglesOf } from '../reference/meshes.js';
 import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
 import { analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec } from './hatchingSpec.js';
+import { quadraticGradient } from './quadratics.js';
 import { centreOf, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
 import {
   ambient,

@@ -1,10 +1,10 @@
 import { quickOnly } from '../browser/quickIf.js';
 import type { TestOnOnePage } from '../browser/test.js';
-import { EngravedReference } from '../reference/engravedReference.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
 import { torus } from '../reference/meshes.js';
+import { engravedDarkness } from './engravedDarkness.js';
 import type { HatchingSpec, LineSettings } from './hatchingSpec.js';
-import { centreOf, expectDarkness, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
+import { centreOf, expectDarkness, type ReferenceCase, referenceOf, specOf } from './referenceCase.js';
 import {
   ambient,
   blocked,
@@ -233,32 +233,22 @@ const detailsOf = quickOnly(
 );
 
 /**
- * Declares a test for each case of `engraved`: the page draws what the reference in double precision says.
+ * Declares a test for each case of `engraved`: the page draws what the functions of vector files say.
  *
  * @param test whose page has `renderHatching`
  */
 export function compareEngraved(test: TestOnOnePage): void {
   for (const one of cases) {
-    test(`engraved equals the double-precision reference: ${one.name}`, detailsOf(one.name), async ({ page }) => {
+    test(`engraved equals the lines of vector files: ${one.name}`, detailsOf(one.name), async ({ page }) => {
       const spec = specFor(one);
-      const { positions, matrixWorld, camera, lights, material, sizedOnScreen } = spec;
       const reference = referenceOf(spec);
-      const engraved = new EngravedReference({
-        reference,
-        settings: {
-          ...spec.lines!,
-          strokeRotation: material.strokeRotation,
-          tilesPerUnit: material.tilesPerUnit,
-          sizedOnScreen: sizedOnScreen!,
-          shadowStrokes: material.shadowStrokes,
-        },
-        lights,
-        matrixWorld,
-        camera,
-        size: SIZE,
-        centre: centreOf(positions),
-      });
-      await expectDarkness(page, spec, reference, (...at) => engraved.darkness(...at));
+      const scene = {
+        ...spec,
+        lines: spec.lines!,
+        sizedOnScreen: spec.sizedOnScreen!,
+        centre: centreOf(spec.positions),
+      };
+      await expectDarkness(page, spec, reference, engravedDarkness(scene, reference));
     });
   }
 }

@@ -1,8 +1,7 @@
 import { quickOnly } from '../browser/quickIf.js';
 import type { TestOnOnePage } from '../browser/test.js';
-import { StippleReference } from '../reference/stippleReference.js';
 import type { HatchingSpec } from './hatchingSpec.js';
-import { expectDarkness, type ReferenceCase, referenceOf, SIZE, specOf } from './referenceCase.js';
+import { expectDarkness, type ReferenceCase, referenceOf, specOf } from './referenceCase.js';
 import {
   ambient,
   blocked,
@@ -15,6 +14,7 @@ import {
   squashed,
   wall,
 } from './referenceScenes.js';
+import { stippleDarkness } from './stippleDarkness.js';
 
 interface StippleCase extends ReferenceCase {
   dots?: Partial<NonNullable<HatchingSpec['dots']>>;
@@ -65,25 +65,17 @@ const detailsOf = quickOnly(
 );
 
 /**
- * Declares a test for each case of `stipple`: the page draws what the reference in double precision says.
+ * Declares a test for each case of `stipple`: the page draws what the functions of vector files say.
  *
  * @param test whose page has `renderHatching`
  */
 export function compareStipple(test: TestOnOnePage): void {
   for (const one of cases) {
-    test(`stipple equals the double-precision reference: ${one.name}`, detailsOf(one.name), async ({ page }) => {
+    test(`stipple equals the dots of vector files: ${one.name}`, detailsOf(one.name), async ({ page }) => {
       const spec = specFor(one);
-      const { matrixWorld, camera } = spec;
       const reference = referenceOf(spec);
-      const settings = {
-        ...spec.dots!,
-        tilesPerUnit: spec.material.tilesPerUnit,
-        sizedOnScreen: spec.sizedOnScreen!,
-      };
-      const stipple = new StippleReference({ reference, settings, matrixWorld, camera, size: SIZE });
-      await expectDarkness(page, spec, reference, (place, normal, toneNormal) =>
-        stipple.darkness(place, normal, toneNormal),
-      );
+      const scene = { ...spec, dots: spec.dots!, sizedOnScreen: spec.sizedOnScreen! };
+      await expectDarkness(page, spec, reference, stippleDarkness(scene, reference));
     });
   }
 }

@@ -1,11 +1,22 @@
 import type { StrokeField } from '../../src/look/hatchingProperties.js';
-import type { EngravedSettings, Quadratic } from '../reference/engravedReference.js';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
 import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
+import type { Quadratic } from './quadratics.js';
 
 /** What only `engraved` has. */
-export type LineSettings = Omit<EngravedSettings, 'sizedOnScreen' | 'tilesPerUnit' | 'strokeRotation'>;
+export interface LineSettings {
+  lineField: 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant' | 'form' | 'acrossForm';
+  /** For the last two: the functions whose level sets are lines, and those of the crossing lines. */
+  form?: readonly [first: Quadratic, crossing: Quadratic];
+  lineSpacing: number;
+  strokeLength: number;
+  crossFrom: number;
+  crossAngle: number;
+  handmade: number;
+  /** Default: 'ink'. */
+  medium?: 'ink' | 'pen' | 'woodcut';
+}
 
 /** A picture to render, as plain data: what the test page and the reference both understand. */
 export interface HatchingSpec {

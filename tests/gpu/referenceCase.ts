@@ -1,11 +1,11 @@
 import { type Page, test } from '@playwright/test';
+import { cross } from '../../src/look/vectors.js';
 import { expect } from '../browser/test.js';
 import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
 import { interpolated } from '../reference/interpolated.js';
 import { type PlainMesh, toFloat, torus, trianglesOf } from '../reference/meshes.js';
 import { interiorPixels, rasterizeReference } from '../reference/rasterizeReference.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
-import { cross } from '../reference/vectors.js';
 import type { HatchingSpec } from './hatchingSpec.js';
 import { describeError, expectEqualPictures, pictureError } from './pictureError.js';
 import { defaults, directional, eye, identity, orthographic, perspective } from './referenceScenes.js';
@@ -121,5 +121,5 @@ function isPlane(normals: ArrayLike<number>, indices: readonly number[], triangl
 function flatNormalOf(positions: ArrayLike<number>, indices: readonly number[], triangle: number): Vec3 {
   const [a, b, c] = [0, 1, 2].map((k) => [0, 1, 2].map((axis) => positions[3 * indices[3 * triangle + k]! + axis]!));
   const [u, v] = [b, c].map((corner) => corner!.map((x, axis) => x - a![axis]!) as Vec3) as [Vec3, Vec3];
-  return cross(u, v);
+  return [...cross(u, v)];
 }

@@ -31,11 +31,11 @@ import {
 import { pairThresholdLevels } from '../../src/material/tam/pairThresholdLevels.js';
 import { ThresholdTexture } from '../../src/material/tam/ThresholdTexture.js';
 import { plainLook } from '../../tools/plainLook.js';
-import { quadraticAt, quadraticGradient } from '../reference/engravedReference.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';
 import { ANALYTIC_TONES, type AnalyticMapName, analyticMaps, analyticThreshold } from './analyticMaps.js';
 import type { HatchingSpec, LineSettings } from './hatchingSpec.js';
+import { quadraticAt, quadraticGradient } from './quadratics.js';
 
 const maps = new Map<AnalyticMapName, TonalArtMap>();
 

@@ -8,8 +8,8 @@ export const engraved: readonly Mutation[] = [
     replace: '0.5 * spacing',
     caughtBy: {
       layer: 'gpu',
-      file: 'tests/gpu/engravedReference.spec.ts',
-      title: 'engraved equals the double-precision reference: …tangent to a light from above',
+      file: 'tests/gpu/engravedLines.spec.ts',
+      title: 'engraved equals the lines of vector files: …tangent to a light from above',
     },
   },
   {
@@ -19,8 +19,8 @@ export const engraved: readonly Mutation[] = [
     replace: 'takenOf(tone, 1.0)',
     caughtBy: {
       layer: 'gpu',
-      file: 'tests/gpu/engravedReference.spec.ts',
-      title: 'engraved equals the double-precision reference: …crossing at right angles from light tones on',
+      file: 'tests/gpu/engravedLines.spec.ts',
+      title: 'engraved equals the lines of vector files: …crossing at right angles from light tones on',
     },
   },
   {
@@ -30,8 +30,33 @@ export const engraved: readonly Mutation[] = [
     replace: 'lean.x * h.value - lean.y * dot(h.point, side)',
     caughtBy: {
       layer: 'gpu',
-      file: 'tests/gpu/engravedReference.spec.ts',
-      title: 'engraved equals the double-precision reference: …crossing at right angles from light tones on',
+      file: 'tests/gpu/engravedLines.spec.ts',
+      title: 'engraved equals the lines of vector files: …crossing at right angles from light tones on',
     },
+  },
+  {
+    name: 'wedges of a woodcut swell less, in shaders and vector files alike',
+    file: 'src/look/constants/engravedConstants.ts',
+    find: 'SWELL_SHARE: 1.3',
+    replace: 'SWELL_SHARE: 1.2',
+    caughtBy: { layer: 'unit', file: 'tests/unit/vector/shading/lineAnswers.test.ts', title: 'cutWidth' },
+  },
+  {
+    name: 'wedges of a woodcut swell less in vector files',
+    file: 'src/vector/shading/carving.ts',
+    find: 'Math.min(SWELL, SWELL_SHARE * rare)',
+    replace: 'Math.min(SWELL, rare)',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/engravedLines.spec.ts',
+      title: 'engraved equals the lines of vector files: …carved, placed and crossed by shadow',
+    },
+  },
+  {
+    name: 'families that cross take the whole tone, in shaders and vector files alike',
+    file: 'src/look/constants/shadingConstants.ts',
+    find: 'KEPT_SHARE: 0.4',
+    replace: 'KEPT_SHARE: 0.5',
+    caughtBy: { layer: 'unit', file: 'tests/unit/vector/shading/lineAnswers.test.ts', title: 'darkness of fragments' },
   },
 ];

@@ -8,8 +8,8 @@ export const stipple: readonly Mutation[] = [
     replace: '2.0 * way',
     caughtBy: {
       layer: 'gpu',
-      file: 'tests/gpu/stippleReference.spec.ts',
-      title: 'stipple equals the double-precision reference: …sized on the screen',
+      file: 'tests/gpu/stippleDots.spec.ts',
+      title: 'stipple equals the dots of vector files: …sized on the screen',
     },
   },
 ];

@@ -51,8 +51,8 @@ export const tone: readonly Mutation[] = [
     replace: 'rank === top - 1 ? powerOf2(octave)',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/vector/shading/linesEqualReference.test.ts',
-      title: 'lines by … , are those of the reference',
+      file: 'tests/unit/vector/shading/lineAnswers.test.ts',
+      title: 'roomOf',
     },
   },
   {
@@ -62,8 +62,8 @@ export const tone: readonly Mutation[] = [
     replace: '(1 - rest)',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/vector/shading/strokesEqualReference.test.ts',
-      title: 'lines by … , are those of the reference',
+      file: 'tests/unit/vector/shading/lineAnswers.test.ts',
+      title: 'strokeAt: width and offset',
     },
   },
   {

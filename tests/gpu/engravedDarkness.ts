@@ -1,0 +1,143 @@
+import { mat4, vec3 } from 'gl-matrix';
+import { LINE_CONSTANTS } from '../../src/look/constants/engravedConstants.js';
+import { combined, dot, normalize, type Vec3 } from '../../src/look/vectors.js';
+import { type EngravedLook, Engraver } from '../../src/vector/Engraver.js';
+import type { SurfacePlace } from '../../src/vector/LineSurface.js';
+import type { FamilyMeasure } from '../../src/vector/lineMarks.js';
+import { Projection } from '../../src/vector/Projection.js';
+import { cutFor, cutWidth } from '../../src/vector/shading/carving.js';
+import { across, type CutField, type Field, firstField } from '../../src/vector/shading/fieldAxis.js';
+import { handWidth } from '../../src/vector/shading/hand.js';
+import { fieldLight } from '../../src/vector/shading/lightField.js';
+import { penFor, strokeAt } from '../../src/vector/shading/penStrokes.js';
+import { formVarying } from '../../src/vector/shading/readForm.js';
+import { powerOf2, roomOf } from '../../src/vector/shading/ruledLines.js';
+import { changePerPixel, type Mat3 } from '../../src/vector/shading/screenGradient.js';
+import type { HatchingReference, ReferenceLight } from '../reference/hatchingReference.js';
+import type { Vec3 as List3 } from '../reference/referenceAdjacency.js';
+import type { HatchingSpec } from './hatchingSpec.js';
+import { quadraticAt, quadraticGradient } from './quadratics.js';
+import type { DarknessOf } from './referenceCase.js';
+
+const DIRECTED: readonly ReferenceLight['type'][] = ['directional', 'point', 'spot'];
+const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
+
+/** What the darkness of engraved lines depends on. */
+export type EngravedScene = Pick<HatchingSpec, 'lights' | 'matrixWorld' | 'camera' | 'width' | 'height'> & {
+  lines: NonNullable<HatchingSpec['lines']>;
+  material: Pick<HatchingSpec['material'], 'strokeRotation' | 'tilesPerUnit' | 'shadowStrokes'>;
+  sizedOnScreen: number;
+  /** The centre of the bounding sphere, object space. */
+  centre: Vec3;
+};
+
+/** The darkness of engraved lines, by the functions that draw them in vector files. Light and tone are those of the reference. */
+export function engravedDarkness(scene: EngravedScene, reference: HatchingReference): DarknessOf {
+  const { lines, lights, matrixWorld, camera, material, sizedOnScreen, centre } = scene;
+  const { lineField, form, medium = 'ink', lineSpacing, strokeLength, crossFrom, crossAngle, handmade } = lines;
+  const { tilesPerUnit, strokeRotation, shadowStrokes } = material;
+  const world = mat4.invert(mat4.create(), camera.view as unknown as mat4)!;
+  const projection = new Projection({ ...camera, world, near: 0 }, scene.width, scene.height);
+  const toObject = mat4.invert(mat4.create(), matrixWorld as unknown as mat4)!;
+  const back = mat4.multiply(mat4.create(), toObject, world);
+  const row = (i: number): Vec3 => [tilesPerUnit * back[i], tilesPerUnit * back[4 + i], tilesPerUnit * back[8 + i]];
+  const viewToField: Mat3 = [row(0), row(1), row(2)];
+  const look: Omit<EngravedLook, 'lineField'> = {
+    ...{ medium, strokeLength, crossFrom, crossAngle, handmade },
+    spacing: { lineSpacing, finestSpacing: 3, sizedOnScreen },
+    crossesInShadows: shadowStrokes === 'cross',
+  };
+
+  const lightFrom = (arriving: readonly ReferenceLight[]): Field =>
+    fieldLight(
+      arriving.flatMap(({ type, position, target = [0, 0, 0], color }) => {
+        if (!DIRECTED.includes(type)) return [];
+        const isFar = type === 'directional';
+        const inObject = (p: List3) => vec3.transformMat4([0, 0, 0], p, toObject) as List3;
+        const way = combined(1, inObject(position!), -1, isFar ? inObject(target) : centre);
+        return [{ toLight: combined(tilesPerUnit, way, 0, way), luminance: dot(color, LUMINANCE), isFar }];
+      }),
+    );
+
+  const engravers = new Map<string, Engraver>();
+  /** Lines turn in the shadows of lights: what draws them where only some arrive. */
+  function engraverFor(arriving: readonly ReferenceLight[]): Engraver {
+    const key = lights.map((light) => arriving.includes(light)).join();
+    const known = engravers.get(key);
+    if (known) return known;
+    const isDark = arriving.length < lights.length && !arriving.some(({ type }) => DIRECTED.includes(type));
+    let engraver: Engraver;
+    if (form) {
+      const isAcross = (lineField === 'acrossForm') !== isDark;
+      engraver = new Engraver({ ...look, lineField: isAcross ? 'acrossForm' : 'form' }, null, viewToField, projection);
+    } else {
+      const light = isDark ? { axis: across(lightFrom(lights).axis), bend: 0 } : lightFrom(arriving);
+      const field = firstField(lineField as CutField, light, strokeRotation);
+      engraver = new Engraver({ ...look, lineField }, field, viewToField, projection);
+    }
+    engravers.set(key, engraver);
+    return engraver;
+  }
+
+  return (at, normal, litNormal, flatNormal, isPlane) => {
+    const toneNormal = normalize(litNormal);
+    const inWorld = reference.toWorld(at);
+    const tone = reference.tone(inWorld, [...toneNormal], true, isPlane);
+    const unshadowed = shadowStrokes === 'cross' ? reference.tone(inWorld, [...toneNormal], false, isPlane) : tone;
+    if (tone >= 1) return 1;
+    const field = combined(tilesPerUnit, at, -tilesPerUnit, centre);
+    const [first, crossing] = (form ?? []).map((quadratic) =>
+      formVarying(quadraticGradient(quadratic, [...field]), quadraticAt(quadratic, [...field]), field),
+    );
+    const none = { gradient: [0, 0, 0] as const, rest: 0 };
+    const place: SurfacePlace = {
+      ...{ world: inWorld, view: projection.toView(inWorld), field, fieldNormal: normalize(normal), toneNormal },
+      ...{ flatNormal, isPlane, occlusion: 0, form: first ?? none, formCrossing: crossing ?? none },
+      ...{ posed: null, paint: null },
+    };
+    const engraver = engraverFor(lights.filter((light) => !reference.turnsAway(light, [...toneNormal], inWorld)));
+    const read = engraver.at(place);
+    const tones = { tone, unshadowed, shadows: 0, left: 1, full: 0, turned: 0 };
+    return (
+      1 -
+      engraver.families.reduce((blank, family) => {
+        const gradient = engraver.gradientAt(family, read);
+        // The change on the triangle, as on the canvas: lines are no closer than the smooth surface allows.
+        const [smooth, seen] = [read.smooth, read.triangle].map((map) => changePerPixel(gradient, map));
+        const perPixel = Math.max(seen, LINE_CONSTANTS.LEAST_OF_SMOOTH * smooth);
+        const measure = { ...engraver.measure(family, read, tones), perPixel };
+        return blank * (1 - familyDarkness(measure, engraver.valueAt(family, read)));
+      }, 1)
+    );
+  };
+}
+
+/** As in `lineCoverage.glsl`. */
+const coverage = (away: number, half: number): number =>
+  Math.min(Math.max(Math.max(half, 0.5) + 0.5 - away, 0), 1) * Math.min(2 * half, 1);
+
+/** The darkness of one family, where its function has a value: the sum over the lines that may touch the pixel. */
+function familyDarkness({ tone, octave, perPixel, widths, strokes }: FamilyMeasure, value: number): number {
+  if (tone === 0) return 0;
+  const isCut = strokes?.medium === 'woodcut';
+  const spaced = isCut ? strokes.cutOctave : octave;
+  const spacing = powerOf2(spaced);
+  const cut = isCut && cutFor(tone, strokes.along, strokes.repeat, spaced);
+  const pen = strokes?.medium === 'pen' && penFor(tone, strokes.along, strokes.handmade, strokes.repeat, spaced);
+  const top = Math.ceil(spaced);
+  const step = 2 ** (top - 1);
+  let covered = 0;
+  for (let k = Math.floor(value / step) - 3; k <= value / step + 4; k++) {
+    const line = k * step;
+    const room = roomOf(k % 2 === 0 ? top : top - 1, spaced);
+    let [width, away] = [room * tone * handWidth(line, widths), value - line];
+    if (cut) width = room * cutWidth(cut, line);
+    if (pen) {
+      const stroke = strokeAt(pen, room / spacing, line);
+      width = spacing * stroke.width;
+      away -= spacing * stroke.astray;
+    }
+    covered += coverage(Math.abs(away) / perPixel, (0.5 * width) / perPixel);
+  }
+  return isCut ? 1 - Math.min(covered, 1) : Math.min(covered, 1);
+}
