@@ -1,16 +1,15 @@
 import type { Light } from 'three';
 import { LightingModel, type NodeBuilder } from 'three/webgpu';
 import { TONE_CONSTANTS } from '../look/constants/shadingConstants.js';
-import { directedLights, hasPlace } from './nodes/base/directedLights.js';
-import type { HatchingSurface } from './nodes/base/HatchingSurface.js';
-import type { ReceivedShadow } from './nodes/base/ReceivedShadow.js';
+import type { ReceivedShadow } from './nodes/base/lights.js';
+import { directedLights, fallOff, hasPlace, valuesFor } from './nodes/base/lights.js';
+import { lightLuminance } from './nodes/base/maths.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
 import { tsl, type Value } from './nodes/base/values.js';
-import { lightLuminance } from './nodes/chunks/lightLuminance.js';
-import { fallOff, valuesFor } from './nodes/chunks/meanLight.js';
-import { openToLights, openToSky } from './nodes/chunks/occlude.js';
+import { openToLights, openToSky } from './nodes/chunks/occlusion.js';
 import { hasShadows, type ShadowedLight, separateShadow } from './nodes/chunks/shadows.js';
 import { shadowLeft } from './nodes/chunks/softShadows.js';
+import type { HatchingSurface } from './nodes/chunks/tone.js';
 
 const { cameraViewMatrix, cross, dot, float, fwidth, length, max, normalView, positionView, positionViewDirection } =
   tsl;
@@ -61,7 +60,7 @@ interface ShadowSums {
   lost: Value;
 }
 
-/** Counterpart of shaders/chunks/radiance.glsl: the radiance that a white surface shows under the scene's lights. three's own nodes walk the lights. */
+/** As shaders/chunks/radiance.glsl: the radiance that a white surface shows under the scene's lights. three's own nodes walk the lights. */
 export class HatchingLightingModel extends LightingModel {
   private radiance!: Value;
   /** 1 where the surface is plane, 0 where it is round. */

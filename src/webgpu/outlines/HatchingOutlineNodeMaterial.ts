@@ -34,8 +34,7 @@ import {
 import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
 import { writePictureOffset, writeSheet } from '../../material/pictureOffset.js';
 import { toothMap } from '../../material/tam/toothMap.js';
-import { clipSpine } from '../nodes/outlines/clipping.js';
-import { type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
+import { clipSpine, type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
 
 const NAME = 'HatchingOutlineNodeMaterial';
 

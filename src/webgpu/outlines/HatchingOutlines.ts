@@ -17,9 +17,9 @@ import type { HatchingOutlineParameters } from '../../material/outlines/Hatching
 import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
 import { isCutOut, isDrawnBefore } from '../../material/outlines/surfaceRules.js';
-import { hasFloatTargets, nodeDeformations } from '../deformation/nodeDeformations.js';
-import { placesOf } from '../nodes/base/InstancePlaces.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
+import { placesOf } from './instancePlaces.js';
+import { hasFloatTargets, nodeDeformations } from './NodePosePass.js';
 
 type Clipping = Parameters<Renderer['renderObject']>[7];
 

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const nodes: readonly Mutation[] = [
   {
     name: 'the spline of nodes has no cubes',
-    file: 'src/webgpu/nodes/chunks/toneCurve.ts',
+    file: 'src/webgpu/nodes/chunks/tone.ts',
     find: 'b.add(t.mul(c))',
     replace: 'b',
     caughtBy: {
@@ -14,7 +14,7 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'colours of nodes darken by their luminance',
-    file: 'src/webgpu/nodes/chunks/localColor.ts',
+    file: 'src/webgpu/nodes/chunks/tone.ts',
     find: 'colorExposure.mul(lightness(clamp(lightLuminance(color), 0, 1)))',
     replace: 'colorExposure.mul(clamp(lightLuminance(color), 0, 1))',
     caughtBy: {
@@ -57,7 +57,7 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'skies of nodes weigh twice',
-    file: 'src/webgpu/nodes/chunks/meanLight.ts',
+    file: 'src/webgpu/nodes/base/lights.ts',
     find: '.mul(difference).mul(0.5)',
     replace: '.mul(difference)',
     caughtBy: { layer: 'webgpu', file: 'tests/webgpu/outlines.spec.ts' },
@@ -82,7 +82,7 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'morph targets of nodes stay as they are',
-    file: 'src/webgpu/deformation/NodePosePass.ts',
+    file: 'src/webgpu/outlines/NodePosePass.ts',
     find: '    points.morphTargetInfluences = mesh.morphTargetInfluences;\n',
     replace: '',
     caughtBy: { layer: 'webgpu', file: 'tests/webgpu/posed.spec.ts' },
@@ -103,7 +103,7 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'ink of nodes that multiplies lies on white',
-    file: 'src/webgpu/nodes/chunks/printedColor.ts',
+    file: 'src/webgpu/nodes/chunks/ink.ts',
     find: 'isMultiplied ? ground.mul(ink) : ink',
     replace: 'ink',
     caughtBy: { layer: 'webgpu', file: 'tests/webgpu/surfaces.spec.ts' },

@@ -50,8 +50,8 @@ test('changes the table, the shader, the nodes, the vector file and the control,
     'tools/properties/rows/colour.ts',
     'shaders/chunks/printedColor.glsl',
     'shaders/chunks/printedColor.glsl',
-    'src/webgpu/nodes/chunks/printedColor.ts',
-    'src/webgpu/nodes/chunks/printedColor.ts',
+    'src/webgpu/nodes/chunks/ink.ts',
+    'src/webgpu/nodes/chunks/ink.ts',
     'src/vector/svg/readLook.ts',
     'src/viewer/settings/table/toneSettings.ts',
   ]);
@@ -96,7 +96,7 @@ describe('followed in a copy', { tags: ['all'] }, () => {
   });
 
   test('gives the nodes the uniform', async () => {
-    const { printedColor } = await load('src/webgpu/nodes/chunks/printedColor.ts');
+    const { printedColor } = await load('src/webgpu/nodes/chunks/ink.ts');
     const references: unknown[] = [];
     printedColor(float(1), float(0.5), false, true).traverse((node: Node & { property?: unknown }) =>
       references.push(node.property),

@@ -11,7 +11,7 @@ import {
 } from 'three';
 import type { WebGPURenderer } from 'three/webgpu';
 import { beforeEach, expect, test } from 'vitest';
-import { hasFloatTargets, nodeDeformations } from '../../../src/webgpu/deformation/nodeDeformations.js';
+import { hasFloatTargets, nodeDeformations } from '../../../src/webgpu/outlines/NodePosePass.js';
 
 const camera = new Camera();
 const outputs = { isMRTNode: true };

@@ -6,12 +6,12 @@ import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareH
 const warn = vi.spyOn(console, 'warn');
 
 /** Imported anew for each test, since it warns once. */
-let hasRoomForForm: typeof import('../../../src/webgpu/hasRoomForForm.js').hasRoomForForm;
+let hasRoomForForm: typeof import('../../../src/webgpu/deviceLimits.js').hasRoomForForm;
 
 beforeEach(async () => {
   vi.resetModules();
   warn.mockImplementation(() => {});
-  ({ hasRoomForForm } = await import('../../../src/webgpu/hasRoomForForm.js'));
+  ({ hasRoomForForm } = await import('../../../src/webgpu/deviceLimits.js'));
 });
 afterEach(() => warn.mockReset());
 

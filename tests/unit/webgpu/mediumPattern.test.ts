@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from 'vitest';
+import type * as mediumPattern from '../../../src/webgpu/fetchedCode.js';
 import { HatchingNodeMaterial } from '../../../src/webgpu/HatchingNodeMaterial.js';
-import type * as mediumPattern from '../../../src/webgpu/mediumPattern.js';
 import { eventually } from '../patience.js';
 
 const STIPPLE = { technique: 'anchored', medium: 'stipple' } as const;
@@ -10,7 +10,7 @@ let pattern: typeof mediumPattern;
 
 beforeEach(async () => {
   vi.resetModules();
-  pattern = await import('../../../src/webgpu/mediumPattern.js');
+  pattern = await import('../../../src/webgpu/fetchedCode.js');
 });
 
 test('dots are fetched when they are first drawn with, and whoever waits for them is told', async () => {

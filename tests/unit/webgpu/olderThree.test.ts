@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { afterEach, expect, test, vi } from 'vitest';
-import { newEnough } from '../../../src/webgpu/nodes/base/newEnough.js';
+import { newEnough } from '../../../src/webgpu/nodes/base/values.js';
 
 const SENTENCE =
   /^three-hatching\/webgpu needs three\.js 0\.186 or newer, but this is 0\.(\w+)\. Update three\.js, or /;

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { blankFloats, blankIntegers, blankPoses } from '../../../src/webgpu/nodes/base/blankTextures.js';
+import { blankFloats, blankIntegers, blankPoses } from '../../../src/webgpu/nodes/base/uniforms.js';
 
 test.each([blankIntegers, blankFloats, blankPoses])(
   'each uniform has a blank of its own, or else three.js 0.186 would take one uniform for several: %o',

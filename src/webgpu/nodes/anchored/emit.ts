@@ -1,12 +1,29 @@
-/** Counterpart of shaders/techniques/anchored/emit.glsl. */
 import { formLayout } from '../../../mesh/bake/attributeLayouts.js';
-import { isOrthographic } from '../base/isOrthographic.js';
-import { tsl } from '../base/values.js';
-import { unitsPerPixel } from '../chunks/unitsPerPixel.js';
-import type { Anchor } from '../perFragment/emit.js';
-import { vFormSlope, vRestPosition, vStrokeNormal, vToViewer, vUnitsPerPixel } from './varyings.js';
+import { isOrthographic } from '../base/maths.js';
+import { tsl, type Value } from '../base/values.js';
+import type { Anchor } from '../chunks/anchor.js';
+import { unitsPerPixel } from '../chunks/vertex.js';
 
-const { attribute, modelViewMatrix, positionLocal, select, vec3, vec4 } = tsl;
+const { attribute, modelViewMatrix, positionLocal, select, varyingProperty, vec3, vec4 } = tsl;
+
+/** Counterpart of shaders/techniques/anchored/varyings.glsl. */
+
+/** Object space. */
+export const vRestPosition: Value = /* @__PURE__ */ varyingProperty('vec3', 'vRestPosition');
+
+/** At the scale of a stroke, object space. */
+export const vStrokeNormal: Value = /* @__PURE__ */ varyingProperty('vec3', 'vStrokeNormal');
+
+/** Object units to a pixel. */
+export const vUnitsPerPixel: Value = /* @__PURE__ */ varyingProperty('float', 'vUnitsPerPixel');
+
+/** Object space, of any length. */
+export const vToViewer: Value = /* @__PURE__ */ varyingProperty('vec3', 'vToViewer');
+
+/** Gradient of the function along whose level lines strokes run, object space, of any length. */
+export const vFormSlope: Value = /* @__PURE__ */ varyingProperty('vec3', 'vFormSlope');
+
+/** Counterpart of shaders/techniques/anchored/emit.glsl. */
 
 /** @param look whether strokes follow the form, and whether they are anchored to the surface at rest */
 export function emitAnchored(

@@ -1,11 +1,13 @@
-/** Counterpart of shaders/techniques/anchored/layers.glsl. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type Input, tsl, type Value } from '../base/values.js';
-import { tilesPerUnit } from '../chunks/levelByDepth.js';
+import { leftOf, takenOf } from '../chunks/crossedTones.js';
+import { tilesPerUnit } from '../chunks/thresholdMap.js';
 import type { HatchingParameters } from './read.js';
 
-const { vec3 } = tsl;
+const { float, max, pow, vec3 } = tsl;
+
+/** Counterpart of shaders/techniques/anchored/layers.glsl. */
 
 /** Tiles between anchors. */
 export const anchorSpacing: Value = /* @__PURE__ */ hatchingUniform('anchorSpacing', 'float');
@@ -24,3 +26,45 @@ export function turnedLayer(h: HatchingParameters, layer: number, [x, y]: readon
     lean: vec3(lean.x.mul(x).sub(lean.y.mul(y)), lean.x.mul(y).add(lean.y.mul(x)), lean.z).toVar(),
   };
 }
+
+/** Counterpart of shaders/chunks/hatch.glsl: the darkness of the hatch, of its layers printed over one another. */
+
+/** The tone above which a second layer crosses the first. */
+const crossFrom = /* @__PURE__ */ hatchingUniform('crossFrom', 'float');
+
+/** Cosine and sine of the angle from the first layer to the second, and to the third. */
+const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
+
+const oneMinus = (x: Value): Value => float(1).sub(x).toVar();
+
+/** The darkness of one layer: of strokes or of dots. */
+export type HatchLayer = (h: HatchingParameters, tone: Value) => Value;
+
+/** @param layers the choice `strokeLayers`; not `lights` with one light alone */
+export function hatch(h: HatchingParameters, tone: Value, layers: string, hatchLayer: HatchLayer): Value {
+  if (layers === 'lights') {
+    // The second layer, along the other axis of the tensor, takes over as much of the tone as the lights disagree. At full tone any share
+    // would fill both layers.
+    const blank = max(oneMinus(tone), 1e-3).toVar();
+    const share = crossingOf(h).mul(0.5).toVar();
+    const first = hatchLayer(h, oneMinus(pow(blank, oneMinus(share))));
+    const second = hatchLayer(turnedLayer(h, 1, [0, 1]), oneMinus(pow(blank, share)));
+    return oneMinus(oneMinus(first).mul(oneMinus(second)));
+  }
+  if (layers !== 'tone') return hatchLayer(h, tone);
+  const first = takenOf(tone, crossFrom).toVar();
+  const others = leftOf(tone, first).toVar();
+  const second = takenOf(others, float(TONE_CONSTANTS.THIRD_FROM)).toVar();
+  const third = leftOf(others, second).toVar();
+  const { x, y, z, w } = layerTurns;
+  return oneMinus(
+    oneMinus(hatchLayer(h, first))
+      .mul(oneMinus(hatchLayer(turnedLayer(h, 1, [x, y]), second)))
+      .mul(oneMinus(hatchLayer(turnedLayer(h, 2, [z, w]), third))),
+  );
+}
+
+/** Counterpart of shaders/techniques/anchored/shadowStrokes.glsl: a layer for shadows, across the strokes of the light. */
+
+export const shadowLayer = (h: HatchingParameters, tone: Value, hatchLayer: HatchLayer): Value =>
+  hatchLayer(turnedLayer(h, 3, [0, 1]), tone);

@@ -1,19 +1,78 @@
-/** Counterpart of shaders/techniques/anchored/read.glsl: the frame of strokes, found per fragment so that it turns continuously. */
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { followsForm } from '../base/followsForm.js';
-import type { ReceivedShadow } from '../base/ReceivedShadow.js';
+import { isInFullShadow, type ReceivedShadow } from '../base/lights.js';
+import { isOrthographic, safeNormalize } from '../base/maths.js';
 import { tsl, type Value } from '../base/values.js';
-import { safeNormalize } from '../chunks/safeNormalize.js';
-import { isInFullShadow } from '../perFragment/fullShadow.js';
-import { readViewToAnchor } from '../perFragment/viewToAnchor.js';
-import { readStrokeAxes as readForm } from './readForm.js';
-import { readStrokeAxes as readLight } from './readLight.js';
-import { readStrokeAxes as readSheet } from './readSheet.js';
-import type { StrokeAxes } from './StrokeAxes.js';
-import { vRestPosition, vStrokeNormal, vToViewer } from './varyings.js';
+import { readViewToAnchor } from '../chunks/anchor.js';
+import { anyTangent, followsForm, lightBitangent, strokeDirection } from '../chunks/lightOrientation.js';
+import { vFormSlope, vRestPosition, vStrokeNormal, vToViewer } from './emit.js';
 
-const { dot, vec3 } = tsl;
+const { cross, dot, float, inverseSqrt, normalize, positionView, select, vec3 } = tsl;
+
+/** The directions of strokes in the surface. */
+export interface StrokeAxes {
+  /** The strokes' u and v in the surface, object space. */
+  uAxis: Value;
+  vAxis: Value;
+  /** How far the lights disagree. */
+  crossing: Value;
+}
+
+/** Counterpart of shaders/techniques/anchored/readForm.glsl: strokes along or across the level lines of a baked function. */
+
+/** @param n unit normal, object space @param isDark true where no light arrives, where strokes run the other way; null if nowhere */
+export function axesOfForm(n: Value, isAcross: boolean, isDark: Value | null): StrokeAxes {
+  const level = cross(n, vFormSlope).toVar();
+  const squaredLength = dot(level, level).toVar();
+  // At a singular point of the field any direction will do.
+  const along = select(
+    squaredLength.greaterThan(0),
+    level.mul(inverseSqrt(squaredLength)),
+    normalize(anyTangent(n)),
+  ).toVar();
+  const across = cross(n, along);
+  const [here, inTheDark] = isAcross ? [across, along] : [along, across];
+  const uAxis = (isDark ? select(isDark, inTheDark, here) : here).toVar();
+  return { uAxis, vAxis: cross(n, uAxis).toVar(), crossing: float(0) };
+}
+
+/** Counterpart of shaders/techniques/anchored/readLight.glsl: strokes that follow the light. */
+
+/** @param n unit normal, object space */
+export function axesOfLight(
+  n: Value,
+  lights: readonly Light[],
+  viewToAnchor: Value,
+  receivedShadows: readonly ReceivedShadow[],
+): StrokeAxes {
+  const { bitangent, crossing } = lightBitangent(n, lights, viewToAnchor, receivedShadows);
+  const tangent = cross(bitangent, n).toVar();
+  const { x, y } = strokeDirection;
+  return {
+    uAxis: tangent.mul(x).sub(bitangent.mul(y)).toVar(),
+    vAxis: tangent.mul(y).add(bitangent.mul(x)).toVar(),
+    crossing,
+  };
+}
+
+/** Counterpart of shaders/techniques/anchored/readSheet.glsl: strokes with a fixed direction on the sheet. */
+
+/** @param n unit normal, object space */
+export function axesOfSheet(n: Value, viewToAnchor: Value): StrokeAxes {
+  const toViewer = select(isOrthographic(), vec3(0, 0, 1), positionView.negate()).toVar();
+  // The intersection of the surface with the plane through the eye and a slanted line of the sheet.
+  const inView = cross(n.mul(viewToAnchor), cross(vec3(strokeDirection, 0), toViewer)).toVar();
+  const along = viewToAnchor.mul(inView).toVar();
+  const squaredLength = dot(along, along).toVar();
+  const uAxis = select(
+    squaredLength.greaterThan(0),
+    along.mul(inverseSqrt(squaredLength)),
+    normalize(anyTangent(n)),
+  ).toVar();
+  return { uAxis, vAxis: cross(n, uAxis).toVar(), crossing: float(0) };
+}
+
+/** Counterpart of shaders/techniques/anchored/read.glsl: the frame of strokes, found per fragment so that it turns continuously. */
 
 /** The parameters of hatching at a fragment. */
 export interface HatchingParameters extends StrokeAxes {
@@ -36,9 +95,9 @@ export function readHatchingParameters(
   const viewToAnchor = readViewToAnchor(builder);
   let axes: StrokeAxes;
   if (followsForm(strokeField))
-    axes = readForm(n, strokeField === 'acrossForm', isInFullShadow(lights, receivedShadows));
-  else if (strokeField === 'sheet') axes = readSheet(n, viewToAnchor);
-  else axes = readLight(n, lights, viewToAnchor, receivedShadows);
+    axes = axesOfForm(n, strokeField === 'acrossForm', isInFullShadow(lights, receivedShadows));
+  else if (strokeField === 'sheet') axes = axesOfSheet(n, viewToAnchor);
+  else axes = axesOfLight(n, lights, viewToAnchor, receivedShadows);
   const lean = vec3(dot(vToViewer, axes.uAxis), dot(vToViewer, axes.vAxis), dot(vToViewer, n)).toVar();
   return { ...axes, point: vRestPosition.toVar(), normal: n, lean };
 }

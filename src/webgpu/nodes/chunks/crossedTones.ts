@@ -1,8 +1,9 @@
-/** Counterpart of shaders/chunks/crossedTones.glsl: shares a tone among layers that cross from some tone on. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { tsl, type Value } from '../base/values.js';
 
 const { float, max, min } = tsl;
+
+/** Counterpart of shaders/chunks/crossedTones.glsl: shares a tone among layers that cross from some tone on. */
 
 /**
  * The part of a tone that a layer prints itself, if other layers cross it above the tone `from`.
@@ -14,3 +15,26 @@ export const takenOf = (tone: Value, from: Value, kept: number = TONE_CONSTANTS.
 
 /** The tone that a layer leaves to the others: exactly 0 up to where they begin. */
 export const leftOf = (tone: Value, taken: Value): Value => max(tone.sub(taken), 0).div(max(float(1).sub(taken), 1e-4));
+
+/** Counterpart of shaders/chunks/shadowStrokes.glsl: strokes in shadows. */
+
+/**
+ * The darkness where a layer of shadow strokes lies over the strokes of the light, which run on. That layer adds what the tone lacks: 1 −
+ * (1 − T)/(1 − T_unshadowed).
+ *
+ * @param unshadowed the tone without shadows; null where they only darken
+ */
+export function hatchInShadow(
+  tone: Value,
+  unshadowed: Value | null,
+  hatch: (tone: Value) => Value,
+  shadowLayer: (tone: Value) => Value,
+): Value {
+  if (!unshadowed) return hatch(tone);
+  const shadow = leftOf(tone, unshadowed).toVar();
+  return float(1).sub(
+    float(1)
+      .sub(hatch(unshadowed))
+      .mul(float(1).sub(shadowLayer(shadow))),
+  );
+}

@@ -1,21 +1,29 @@
-/**
- * Counterpart of shaders/chunks/lightOrientation.glsl: the direction from which a surface is lit, in its tangent plane: B of Algorithm 1.
- * Several lights are averaged as axes; the sign of the result is that of their weighted sum.
- */
 import type { Light } from 'three';
-import { directedLights, hasPlace } from '../base/directedLights.js';
-import type { ReceivedShadow } from '../base/ReceivedShadow.js';
+import { directedLights, fallOff, hasPlace, type LightValues, type ReceivedShadow, valuesFor } from '../base/lights.js';
+import { lightLuminance } from '../base/maths.js';
+import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { lightLuminance } from './lightLuminance.js';
-import { fallOff, type LightValues, valuesFor } from './meanLight.js';
 
 const { abs, cameraViewMatrix, cross, dot, float, inverseSqrt, length, max, normalize, positionView, select } = tsl;
 const { smoothstep, vec2, vec3 } = tsl;
 
+/** Whether lines follow the form. @param lineField the choice */
+export const followsForm = (lineField: string): boolean => lineField === 'form' || lineField === 'acrossForm';
+
+/** Cosine and sine of the strokes' rotation. */
+export const strokeDirection: Value = /* @__PURE__ */ hatchingUniform('strokeDirection', 'vec2');
+
+/**
+ * Counterpart of shaders/chunks/lightOrientation.glsl: the direction from which a surface is lit, in its tangent plane: B of Algorithm 1.
+ * Several lights are averaged as axes; the sign of the result is that of their weighted sum.
+ */
+
 /** Squared sine of the angle between light and normal below which a light gives no direction. */
 const PARALLEL_SQUARED_SINE = 1e-8;
+
 /** Weight of a light where it does not reach, so that strokes keep a direction beyond a cone or a terminator. */
 const UNLIT_WEIGHT = 1e-4;
+
 /** Cosine down to which a light counts beyond its terminator, so that strokes keep their direction there. */
 const BEHIND_TERMINATOR = 0.05;
 

@@ -16,15 +16,18 @@ import {
   VSMShadowMap,
 } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import type { ReceivedShadow } from '../base/ReceivedShadow.js';
+import type { ReceivedShadow } from '../base/lights.js';
+import { lightLuminance } from '../base/maths.js';
 import { threeNodes, tsl, type Value } from '../base/values.js';
-import { bilinearCube } from '../shadowMaps/bilinearCube.js';
-import { bilinearFlat } from '../shadowMaps/bilinearFlat.js';
-import type { ShadowMap } from '../shadowMaps/depth.js';
-import { type ShadowValues, shadowValuesFor } from '../shadowMaps/ShadowValues.js';
-import { steadyCube } from '../shadowMaps/steadyCube.js';
-import { steadyFlat } from '../shadowMaps/steadyFlat.js';
-import { lightLuminance } from './lightLuminance.js';
+import type { ShadowMap } from './shadowFilters.js';
+import {
+  bilinearCube,
+  bilinearFlat,
+  type ShadowValues,
+  shadowValuesFor,
+  steadyCube,
+  steadyFlat,
+} from './shadowFilters.js';
 import { readSoftShadow } from './softShadows.js';
 
 const { lightShadowMatrix } = threeNodes;

@@ -1,19 +1,34 @@
+import { blankThresholdMap } from '../../../material/blankThresholdMap.js';
+import { hatchingTexture, hatchingUniform } from '../base/uniforms.js';
+import { type TextureValue, tsl, type Value } from '../base/values.js';
+
+const { clamp, dot, exp2, floor, fract, inverseSqrt, log2, min, mix, vec2, vec3, vec4 } = tsl;
+
+/** Counterpart of shaders/chunks/levelByDepth.glsl. */
+
+/** Tiles per object unit. */
+export const tilesPerUnit: Value = /* @__PURE__ */ hatchingUniform('tilesPerUnit', 'float');
+
+/** Desired pixels per texel. */
+const texelPixels = /* @__PURE__ */ hatchingUniform('texelPixels', 'float');
+
+/** The level of a map for the depth of the fragment (paper, section 3.4). @param size texels per tile */
+export const levelByDepth = (size: Value, unitsPerPixel: Value): Value =>
+  log2(tilesPerUnit.mul(unitsPerPixel).mul(size).mul(texelPixels)).toVar();
+
 /**
  * Counterpart of shaders/chunks/thresholdMap.glsl. The threshold map has the tone from which on each texel of the hatch is ink. Its levels
  * lie side by side in one texture; the green channel of each holds the next coarser level.
  */
-import { blankThresholdMap } from '../../../material/blankThresholdMap.js';
-import { hatchingTexture } from '../base/textures.js';
-import { hatchingUniform } from '../base/uniforms.js';
-import { type TextureValue, tsl, type Value } from '../base/values.js';
-
-const { clamp, dot, exp2, floor, fract, inverseSqrt, min, mix, vec2, vec3, vec4 } = tsl;
 
 /** Texels per side of level 0. */
 export const thresholdMapSize = /* @__PURE__ */ hatchingUniform('thresholdMapSize', 'float');
+
 /** Texel size, as a share of the texture. */
 const thresholdMapTexel = /* @__PURE__ */ hatchingUniform('thresholdMapTexel', 'vec2');
+
 const thresholdMapLevels = /* @__PURE__ */ hatchingUniform('thresholdMapLevels', 'float');
+
 /** Variances of g between texels on a level and on the next coarser one, and their covariance. */
 const thresholdMoments = /* @__PURE__ */ hatchingUniform('thresholdMoments', 'vec3');
 

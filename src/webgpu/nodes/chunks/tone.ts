@@ -1,20 +1,38 @@
-/** Counterpart of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
-import type { HatchingSurface } from '../base/HatchingSurface.js';
-import { hatchingUniform } from '../base/uniforms.js';
+import { TONE_CURVE_SPANS, TONE_CURVES } from '../../../material/shaders/shaderConventions.js';
+import type { ReceivedShadow } from '../base/lights.js';
+import { lightLuminance } from '../base/maths.js';
+import { hatchingElement, hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { hollowness } from './occlude.js';
+import { hollowness } from './occlusion.js';
 import { shadowTone } from './softShadows.js';
-import { curvedTone } from './toneCurve.js';
 
-const { clamp, float, floor, max, mix, select, step } = tsl;
+const { clamp, float, floor, max, min, mix, pow, select, step, vec3 } = tsl;
 const { NO_LIGHT } = TONE_CONSTANTS;
 
+/** The lighting of a surface at a fragment. */
+export interface HatchingSurface {
+  radiance: Value;
+  /** Radiance that shadows have taken; null where shadows are not computed apart. */
+  shadowed: Value | null;
+  /** The share of the shadows' tone that is left; null where they do not dissolve. */
+  shadowLeft: Value | null;
+  /** The darkness of the surface's own colour, as far as it becomes tone. */
+  darkness: Value;
+  /** The lights that cast shadows, where shadows are computed apart. */
+  receivedShadows: readonly ReceivedShadow[];
+}
+
+/** Counterpart of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
+
 const toneSteps = /* @__PURE__ */ hatchingUniform('toneSteps', 'float');
+
 /** Tones at full light and at none. */
 const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
+
 /** Factor on radiance, and offset. */
 const exposure = /* @__PURE__ */ hatchingUniform('exposure', 'vec2');
+
 /** Slope of the ramp that tone is multiplied by, and its value at tone 0. */
 const highlightRamp = /* @__PURE__ */ hatchingUniform('highlightRamp', 'vec2');
 
@@ -72,3 +90,53 @@ export function unshadowedTone(surface: HatchingSurface, rules: ToneRules): Valu
   if (rules.toneModel === 'shadow') return float(0);
   return litTone(shadowed ? radiance.add(shadowed) : radiance, surface, rules);
 }
+
+/** Counterpart of shaders/chunks/lightness.glsl. */
+
+/** Lightness L* over 100, of a luminance in [0, 1] (CIE 1976). */
+export const lightness = (y: Value): Value =>
+  select(
+    y.lessThan(216 / 24389),
+    y.mul(9.032963),
+    pow(y, 1 / 3)
+      .mul(1.16)
+      .sub(0.16),
+  );
+
+/** Counterpart of shaders/chunks/toneCurve.glsl: from the tone of the light to the printed tone. */
+
+/** A monotone cubic spline: a start value, and the rise over each span. Unused spans add nothing. */
+function splineAt(tone: Value): Value {
+  const curved = hatchingUniform('toneCurveStart', 'float').toVar();
+  for (let i = 0; i < TONE_CURVE_SPANS; i++) {
+    const span = [0, 1].map((k) => hatchingElement('toneCurveSpans', 2 * i + k));
+    const [a, b, c] = [0, 1, 2].map((k) => hatchingElement('toneCurveCubics', 3 * i + k));
+    const t = clamp(tone.sub(span[0]).mul(span[1]), 0, 1).toVar();
+    curved.addAssign(t.mul(a.add(t.mul(b.add(t.mul(c))))));
+  }
+  return curved;
+}
+
+/** @param curve index among `TONE_CURVES` */
+export function curvedTone(tone: Value, curve: number): Value {
+  const kind = TONE_CURVES[curve];
+  if (kind === 'perceptual') return float(1).sub(lightness(float(1).sub(tone)));
+  return kind === 'points' ? splineAt(tone) : tone;
+}
+
+/** Counterpart of shaders/chunks/localColor.glsl: the tone and the tint of the surface's own colour. */
+
+const localTone = /* @__PURE__ */ hatchingUniform('localTone', 'float');
+
+const colorExposure = /* @__PURE__ */ hatchingUniform('colorExposure', 'float');
+
+const colorFill = /* @__PURE__ */ hatchingUniform('colorFill', 'float');
+
+/** The darkness of a colour beside white, as far as it becomes tone. Emitted light lessens it. */
+export function localDarkness(color: Value, emitted: Value): Value {
+  const light = min(colorExposure.mul(lightness(clamp(lightLuminance(color), 0, 1))), 1);
+  const unlit = float(1).sub(clamp(lightLuminance(emitted), 0, 1));
+  return localTone.mul(float(1).sub(light)).mul(unlit);
+}
+
+export const filledColor = (color: Value): Value => mix(vec3(1), color, colorFill);

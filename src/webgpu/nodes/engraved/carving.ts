@@ -1,10 +1,9 @@
 /** Counterpart of shaders/techniques/engraved/carving.glsl: white lines cut out of a black block, as in a woodcut. */
 import { CARVING_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { tsl, type Value } from '../base/values.js';
-import type { Family, HatchingParameters } from './Hatching.js';
 import { turnOf } from './hand.js';
-import { octaves } from './octaves.js';
-import { alongLines, differing, numberOf } from './strokeLengths.js';
+import type { Family, HatchingParameters } from './read.js';
+import { alongLines, differing, numberOf, octaves } from './strokeLengths.js';
 
 const { abs, clamp, float, fract, inverseSqrt, max, min, mix, select, sqrt, vec2, vec4 } = tsl;
 const { RARE, SWELL, SWELL_SHARE, WIDENING } = CARVING_CONSTANTS;

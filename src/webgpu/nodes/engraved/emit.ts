@@ -1,16 +1,29 @@
 /** Counterpart of shaders/techniques/engraved/emit.glsl. */
 import type { Light, SkinnedMesh } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { followsForm } from '../base/followsForm.js';
-import { inverseOf, linearPart } from '../base/matrices.js';
+import { inverseOf, linearPart } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { bonesOf, inObjectSpace } from '../chunks/deformVertex.js';
-import type { Anchor } from '../perFragment/emit.js';
-import { firstField, isByVertex, type LineCut, turnsWithLight } from './fieldAxis.js';
-import { formCrossing, formSlope, formValue, formVarying } from './formAttributes.js';
-import { fieldLight } from './lightField.js';
-import { vField, vFieldLight, vFieldNormal, vFieldPoint, vForm, vFormCrossing } from './varyings.js';
+import type { Anchor } from '../chunks/anchor.js';
+import { followsForm } from '../chunks/lightOrientation.js';
+import { bonesOf, inObjectSpace } from '../chunks/vertex.js';
+import {
+  fieldLight,
+  firstField,
+  formCrossing,
+  formSlope,
+  formValue,
+  formVarying,
+  isByVertex,
+  type LineCut,
+  turnsWithLight,
+  vField,
+  vFieldLight,
+  vFieldNormal,
+  vFieldPoint,
+  vForm,
+  vFormCrossing,
+} from './fields.js';
 
 const { determinant, If, vec4 } = tsl;
 

@@ -1,20 +1,23 @@
-/** Counterpart of shaders/techniques/engraved/hatchLayer.glsl: engraved lines, with other families across them in the darks. */
 import { LINE_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import type { Medium } from '../../../look/hatchingProperties.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { leftOf, takenOf } from '../chunks/crossedTones.js';
-import type { Family, HatchingParameters } from './Hatching.js';
 import { handTone } from './hand.js';
+import type { Family, HatchingParameters } from './read.js';
 import { ruledLines } from './ruledLines.js';
 
 const { float, If, max, mix, select } = tsl;
 
+/** Counterpart of shaders/techniques/engraved/hatchLayer.glsl: engraved lines, with other families across them in the darks. */
+
 /** The tone above which lines cross. */
 const crossFrom = /* @__PURE__ */ hatchingUniform('crossFrom', 'float');
+
 /** Cosine and sine of the angle between a family and the next, and of half of the supplement of that angle. */
 const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
+
 /** 1: lines; 0: an even grey of the same tone. */
 const lineContrast = /* @__PURE__ */ hatchingUniform('lineContrast', 'float');
 
@@ -63,3 +66,11 @@ export function hatchLayer(h: HatchingParameters, tone: Value, medium: Medium): 
   } else darkness = families(h, first, others, { medium, isOther: false });
   return contrasted(tone, darkness);
 }
+
+/**
+ * Counterpart of shaders/techniques/engraved/shadowStrokes.glsl: families of lines in shadows, leaning back across the first family and
+ * across those of its darks.
+ */
+
+export const shadowLayer = (h: HatchingParameters, tone: Value, medium: Medium): Value =>
+  contrasted(tone, families(h, null, tone, { medium, isOther: true }));

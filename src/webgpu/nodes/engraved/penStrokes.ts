@@ -1,32 +1,14 @@
 /** Counterpart of shaders/techniques/engraved/penStrokes.glsl: lines drawn in strokes of a pen. */
 import { PEN_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
+import { lineCoverage } from '../base/maths.js';
 import { tsl, type Value } from '../base/values.js';
-import { lineCoverage } from '../chunks/lineCoverage.js';
-import type { Family, HatchingParameters } from './Hatching.js';
 import { handmade, hash01, turnOf } from './hand.js';
-import { FRINGE } from './lineFringe.js';
-import { type Along, alongLines, differing, numberOf } from './strokeLengths.js';
+import type { Family, HatchingParameters } from './read.js';
+import { type Along, alongLines, differing, FRINGE, numberOf } from './strokeLengths.js';
 
-const {
-  abs,
-  clamp,
-  float,
-  floatBitsToUint,
-  floor,
-  fract,
-  If,
-  int,
-  Loop,
-  max,
-  min,
-  mix,
-  select,
-  sign,
-  sqrt,
-  uint,
-  vec2,
-} = tsl;
+const { abs, clamp, float, floatBitsToUint, floor, fract, If, int, Loop, max, min, mix, select, sign, sqrt } = tsl;
+const { uint, vec2 } = tsl;
 const { ALL_FROM, AXIS_HASH, AXIS_TURN, BENDING, BIRTH, BIRTH_HASH, CLOSED_FROM, GAP_HASH, LATE_HASH, LATENESS } =
   PEN_CONSTANTS;
 const { LEANING, NIB } = PEN_CONSTANTS;

@@ -1,16 +1,14 @@
 /** Counterpart of shaders/techniques/engraved/ruledLines.glsl: one family of lines. */
 import { GROUND_CONSTANTS, LINE_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import type { Medium } from '../../../look/hatchingProperties.js';
+import { lineCoverage } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { lineCoverage } from '../chunks/lineCoverage.js';
 import { cutFor, cutWidth, rowOctaves } from './carving.js';
-import type { Family, HatchingParameters } from './Hatching.js';
 import { handWidth, hash01 } from './hand.js';
-import { FRINGE } from './lineFringe.js';
-import { octaves, powerOf2 } from './octaves.js';
 import { penCoverage, penFor } from './penStrokes.js';
-import { sizedOnScreen } from './sizedOnScreen.js';
+import type { Family, HatchingParameters } from './read.js';
+import { FRINGE, octaves, powerOf2, sizedOnScreen } from './strokeLengths.js';
 
 const { abs, ceil, clamp, float, floor, fract, int, Loop, max, min, mix, select } = tsl;
 

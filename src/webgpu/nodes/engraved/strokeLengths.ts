@@ -1,15 +1,32 @@
-/** Counterpart of shaders/techniques/engraved/strokeLengths.glsl: the strokes that the lines of a family are drawn in. */
 import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { screenGradient } from '../perFragment/screenGradient.js';
-import type { Family, HatchingParameters } from './Hatching.js';
-import { octaves, powerOf2 } from './octaves.js';
-import { sizedOnScreen } from './sizedOnScreen.js';
-import { vFieldNormal, vFieldPoint } from './varyings.js';
+import { screenGradient } from '../chunks/screenGradient.js';
+import { vFieldNormal, vFieldPoint } from './fields.js';
+import type { Family, HatchingParameters } from './read.js';
 
-const { abs, ceil, clamp, cross, dot, float, floor, max, min, mix, normalize, select, smoothstep, vec2, vec3 } = tsl;
+const { abs, ceil, clamp, cross, dot, float, floatBitsToInt, floor, int, intBitsToFloat, max, min, mix } = tsl;
+const { normalize, select, smoothstep, vec2, vec3 } = tsl;
 const { AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING, LENGTHS_FADE } = STROKE_LENGTH_CONSTANTS;
+
+/** 0: lines spaced on the object, 1: on the screen. */
+export const sizedOnScreen: Value = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');
+
+/** Width over which the edge of a line fades, pixels. */
+export const FRINGE = 0.5;
+
+/** Counterpart of `octaves` and `powerOf2` in shaders/techniques/engraved/ruledLines.glsl. */
+
+/** An approximate logarithm to base 2: exact at powers of two, linear between them. @param x above 0, a variable */
+export const octaves = (x: Value): Value =>
+  float(floatBitsToInt(x))
+    .mul(1 / 8388608)
+    .sub(127);
+
+/** The inverse of `octaves`. */
+export const powerOf2 = (octave: Value): Value => intBitsToFloat(int(octave.mul(8388608).add(1065353216)));
+
+/** Counterpart of shaders/techniques/engraved/strokeLengths.glsl: the strokes that the lines of a family are drawn in. */
 
 /** Pixels, or 256ths of a tile. */
 const strokeLength = /* @__PURE__ */ hatchingUniform('strokeLength', 'float');

@@ -1,45 +1,83 @@
-/** Counterpart of shaders/outlines/cover.glsl: the screen triangle that covers a piece of outline. */
 import type { NodeBuilder } from 'three/webgpu';
-import { isOrthographic } from '../base/isOrthographic.js';
+import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
+import { isOrthographic } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { mostOutlineFading } from '../chunks/fading.js';
-import { lifted, liftOf, toleranceOf } from './hiding.js';
-import { accents, isSeen, lineWeightAt, SHORT, type Spine } from './hierarchy.js';
-import type { OutlineDefines } from './OutlineDefines.js';
+import { hiddenWeight, type OutlineDefines, wobble } from './fragments.js';
+import { accents, isSeen, lineWeightAt, outlineWidth, SHORT, type Spine } from './hierarchy.js';
 import type { Piece, PieceEnd } from './piece.js';
-import type { InstancePlace } from './primitives.js';
+import { type InstancePlace, radius } from './points.js';
 import { hasSceneDepth, nearDistance, projection, viewport } from './sceneDepth.js';
 import { objectToView } from './shade.js';
 import * as varyings from './varyings.js';
-import { halfWidthsAt } from './width.js';
-import { wobble } from './wobble.js';
 
-const {
-  If,
-  abs,
-  bool,
-  cameraProjectionMatrix,
-  cross,
-  distance,
-  dot,
-  float,
-  int,
-  max,
-  min,
-  mix,
-  pow,
-  select,
-  vec2,
-  vec3,
-  vec4,
-} = tsl;
+const { abs, bool, cameraProjectionMatrix, cross, distance, dot, float, If, int, length, max, min, mix, pow } = tsl;
+const { select, sqrt, vec2, vec3, vec4 } = tsl;
+const { EDGE_SLOPE, LIFT_SHARE, LOOKED_BESIDE, MOST_RISE, ROUNDING } = OUTLINE_CONSTANTS;
+
+/**
+ * Counterpart of shaders/outlines/hiding.glsl: before the depth test each end is moved towards the eye along its ray, just far enough that
+ * its own surface does not hide it. It keeps its place on the screen.
+ */
+
+/** The `polygonOffsetFactor` of the surface, negated: slopes per pixel by which it is drawn nearer than it lies. */
+const pull = /* @__PURE__ */ hatchingUniform('pull', 'float');
+
+/**
+ * The distance, in view units, by which an end is moved towards the eye.
+ *
+ * @param halfWidth of the outline, view units
+ * @param pixel in view units
+ * @param scale view units per object unit
+ * @returns view units
+ */
+export function liftOf(end: PieceEnd, piece: Piece, halfWidth: Value, pixel: Value, scale: Value): Value {
+  const r = radius.mul(scale).toVar();
+  const half = halfWidth.toVar();
+  const pulled = pull.mul(pixel).mul(4 * EDGE_SLOPE);
+  const own = r.mul(LIFT_SHARE).add(piece.extent.mul(scale)).add(pulled).toVar();
+  // A surface of curvature κ rises by √(2x/κ) towards the eye over the distance x beside its contour. Without this, half of the outline
+  // would be hidden.
+  const rise = sqrt(half.mul(2).mul(r).div(max(end.bend, 1e-3)));
+  const ofSurface = own.add(half.mul(2)).add(min(rise, r.mul(MOST_RISE)));
+  return select(piece.isSmooth, ofSurface, own.add(half.mul(2 * EDGE_SLOPE)));
+}
+
+/** Distance by which a surface may lie before its own outline, view units. @param pixel in view units */
+export const toleranceOf = (piece: Piece, pixel: Value, scale: Value): Value =>
+  radius
+    .mul(ROUNDING)
+    .add(piece.ownCover)
+    .mul(scale)
+    .add(
+      pull
+        .add(select(piece.isValley, float(LOOKED_BESIDE), float(0)))
+        .mul(EDGE_SLOPE)
+        .mul(pixel),
+    );
+
+export const lifted = (position: Value, lift: Value): Value =>
+  select(
+    isOrthographic(),
+    position.add(vec3(0, 0, lift)),
+    position.mul(float(1).sub(min(lift.div(max(length(position), 1e-20)), 0.9))),
+  );
+
+/** Counterpart of shaders/outlines/width.glsl: the width of an outline at an end of a piece. */
+
+/** Half widths before paper and before a surface, pixels, without the factor of fading. */
+export const halfWidthsAt = ({ weight, innerWeight }: PieceEnd, { HIDDEN }: OutlineDefines): Value =>
+  (HIDDEN ? vec2(hiddenWeight(max(weight, innerWeight))) : vec2(weight, innerWeight)).mul(outlineWidth).mul(0.5);
+
+/** Counterpart of shaders/outlines/cover.glsl: the screen triangle that covers a piece of outline. */
 
 /** View units per object unit, the mean over directions. */
 const objectScale = /* @__PURE__ */ hatchingUniform('objectScale', 'float');
 
 /** Margin for the antialiased edge, pixels. */
 const FRINGE = 1;
+
 /** A factor on the near distance: just behind the near plane. */
 const BEHIND_NEAR = 1.0001;
 

@@ -12,7 +12,7 @@ import { tsl, type Value } from '../base/values.js';
 import { contours } from './contour.js';
 import { endBetween, type Piece, weigh } from './piece.js';
 import type { OutlinePoint } from './points.js';
-import { hasFlag } from './primitives.js';
+import { hasFlag } from './points.js';
 
 const { If, bool, cross, dot, float, max, min, select, vec2 } = tsl;
 

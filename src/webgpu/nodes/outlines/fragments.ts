@@ -1,14 +1,9 @@
-/**
- * Counterpart of shaders/outlines/outlines.frag. A piece of outline is a capsule on the screen, so that pieces join without mitres; its
- * edge fades over one pixel.
- */
-
+import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
+import { lineCoverage, normalDistribution } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
+import { toothField } from '../chunks/dryMedium.js';
 import { outlineFadingAt } from '../chunks/fading.js';
-import { lineCoverage } from '../chunks/lineCoverage.js';
-import { dryInk } from './dryOutline.js';
-import { hiddenCoverage } from './hidden.js';
 import {
   accents,
   alongLine,
@@ -19,7 +14,7 @@ import {
   outlineWidth,
   type Spine,
 } from './hierarchy.js';
-import type { OutlineDefines } from './OutlineDefines.js';
+import { radius } from './points.js';
 import { hasSceneDepth } from './sceneDepth.js';
 import {
   vAnchorEnd,
@@ -34,12 +29,121 @@ import {
   vStart,
   vTolerance,
 } from './varyings.js';
-import { pressureWave, wobbleAt } from './wobble.js';
 
-const { Discard, Fn, If, bool, clamp, distance, dot, float, length, max, min, mix, screenCoordinate, screenSize } = tsl;
-const { select, vec2, vec4 } = tsl;
+const { abs, bool, clamp, Discard, distance, dot, float, floor, Fn, If, length, max, min, mix, screenCoordinate } = tsl;
+const { screenSize, select, sin, smoothstep, vec2, vec3, vec4 } = tsl;
+const { ACROSS_BEND, ACROSS_BENT, DASH, FAINT, FINE_PHASE, GAP, HIDDEN_WEIGHT, STRAY_ACROSS } = OUTLINE_CONSTANTS;
+const { STRAY_FINELY, STRAY_SHARES, STRAY_UP, UP_BEND, UP_BENT, UP_PHASE, WHOLE_FROM } = OUTLINE_CONSTANTS;
+
+/** The choices that the program of outlines depends on, named as the GLSL defines. */
+export interface OutlineDefines {
+  /** Whether hidden outlines are drawn, instead of visible ones. */
+  readonly HIDDEN: boolean;
+  readonly TOOTH: boolean;
+  readonly WOBBLE: boolean;
+}
+
+/** Counterpart of shaders/outlines/wobble.glsl: the unsteadiness of a hand, a slow screen-space offset that is fixed to the object. */
+
+/** Pixels. */
+export const wobble: Value = /* @__PURE__ */ hatchingUniform('wobble', 'float');
+
+const wave = (p: Value, direction: readonly [number, number, number]): Value => dot(p, vec3(...direction));
+
+/** The pressure of the hand along the outline, from −1 to 1, in waves of about half the radius. */
+export function pressureWave(anchor: Value): Value {
+  const p = anchor.div(radius).toVar();
+  return sin(dot(p, vec3(-5.3, 6.1, 7.9)).add(sin(dot(p, vec3(4.7, 3.9, -6.7))).mul(2.1)));
+}
+
+/** Sines in three directions, whose phases vary with one another, so that nothing seems to repeat. */
+export function wobbleAt(anchor: Value): Value {
+  const p = anchor.div(radius).toVar();
+  const a = sin(wave(p, STRAY_ACROSS).add(sin(wave(p, ACROSS_BENT)).mul(ACROSS_BEND)));
+  const b = sin(
+    wave(p, STRAY_UP)
+      .add(sin(wave(p, UP_BENT)).mul(UP_BEND))
+      .add(UP_PHASE),
+  );
+  const c = sin(wave(p, STRAY_FINELY).add(FINE_PHASE)).mul(STRAY_SHARES[1]).toVar();
+  return vec2(a.mul(STRAY_SHARES[0]).add(c), b.mul(STRAY_SHARES[0]).sub(c)).mul(wobble);
+}
+
+/** Counterpart of shaders/outlines/hidden.glsl: outlines behind a surface, thin and dashed or faint, as in technical drawings. */
+
+const isDashed = /* @__PURE__ */ hatchingUniform('isDashed', 'float');
+
+export const hiddenWeight = (weight: Value): Value => smoothstep(0, WHOLE_FROM, weight).mul(HIDDEN_WEIGHT);
+
+/**
+ * The share of a pixel that is drawn, by dashes and gaps. All in pixels.
+ *
+ * @param place along a piece that is `size` long
+ * @param fromOrigin from the screen position of the object, so that dashes move with it
+ */
+export function hiddenCoverage(place: Value, size: Value, along: Value, fromOrigin: Value, width: Value): Value {
+  const coverage = float(FAINT).toVar();
+  If(isDashed.greaterThan(0.5), () => {
+    const gap = width.mul(GAP).toVar();
+    const period = width.mul(DASH + GAP).toVar();
+    const x = float(0).toVar();
+    If(size.greaterThan(period.mul(2)), () => {
+      // An edge begins and ends with a dash.
+      const whole = size.add(gap).toVar();
+      period.assign(whole.div(floor(whole.div(period).add(0.5))));
+      x.assign(clamp(place, 0, size));
+    }).Else(() => {
+      // The pieces of a curve are shorter than dashes, so their pattern follows the screen.
+      x.assign(select(abs(along.x).greaterThan(abs(along.y)), fromOrigin.x, fromOrigin.y));
+    });
+    const half = period.sub(gap).mul(0.5).toVar();
+    const within = x.sub(period.mul(floor(x.div(period))));
+    coverage.assign(clamp(half.sub(abs(within.sub(half))).add(0.5), 0, 1));
+  });
+  return coverage;
+}
+
+/**
+ * Counterpart of shaders/outlines/dryOutline.glsl: outlines of pencil, charcoal and chalk. They are soft at their sides, vary in pressure
+ * along the way, and catch on the tooth of the paper.
+ */
+
+const tooth = /* @__PURE__ */ hatchingUniform('tooth', 'float');
+
+/** The tooth above which the sides fade from the middle on. */
+const SOFT_TOOTH = 0.3;
+
+/** The effect of tooth on outlines, which are pressed harder than hatching. */
+const CAUGHT = 0.75;
+
+/** The range of pressures over which an outline goes from none to full ink. */
+const OUTLINE_SOFTNESS = 0.65;
+
+/** The share of pressure that an unsteady hand loses along the way. */
+const LIFTED = 0.5;
+
+/**
+ * The share of full ink that is left.
+ *
+ * @param across 0 in the middle of the outline, 1 at its side
+ * @param along a wave along it, from −1 to 1
+ * @param pixel of the render target, counted from the lower left
+ */
+export function dryInk(across: Value, along: Value, pixel: Value): Value {
+  const side = min(tooth.div(SOFT_TOOTH), 1).mul(across).mul(across);
+  const loss = tooth.mul(LIFTED).mul(float(0.5).sub(along.mul(0.5)));
+  const pressure = side.oneMinus().mul(loss.oneMinus());
+  const height = normalDistribution(toothField(pixel)).x;
+  return clamp(pressure.sub(tooth.mul(CAUGHT).mul(height)).div(OUTLINE_SOFTNESS), 0, 1);
+}
+
+/**
+ * Counterpart of shaders/outlines/outlines.frag. A piece of outline is a capsule on the screen, so that pieces join without mitres; its
+ * edge fades over one pixel.
+ */
 
 const ink = /* @__PURE__ */ hatchingUniform('ink', 'color');
+
 const opacity = /* @__PURE__ */ hatchingUniform('opacity', 'float');
 
 /** The point on the spine that a fragment belongs to, view space. Fog depends on it. */

@@ -4,7 +4,7 @@
  */
 import type { NodeBuilder } from 'three/webgpu';
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
-import { isOrthographic } from '../base/isOrthographic.js';
+import { isOrthographic } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { depthAt, isInView, NOWHERE, viewHeightAt, viewport } from './sceneDepth.js';

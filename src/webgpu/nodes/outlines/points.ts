@@ -1,22 +1,23 @@
-/** Counterpart of shaders/outlines/points.glsl: the end points of outlines (src/mesh/bake/outlineLayout.ts). */
-import { POINT_MASK } from '../../../mesh/bake/outlineLayout.js';
-import { blankIntegers, blankPoses } from '../base/blankTextures.js';
-import { identity } from '../base/matrices.js';
-import { texelOf } from '../base/texelOf.js';
-import { hatchingTexture } from '../base/textures.js';
-import { hatchingUniform } from '../base/uniforms.js';
+import { POINT_BITS, POINT_MASK } from '../../../mesh/bake/outlineLayout.js';
+import { IS_EDGE } from '../../../mesh/features/edgeFlags.js';
+import { identity } from '../base/maths.js';
+import { blankFloats, blankIntegers, blankPoses, hatchingTexture, hatchingUniform, texelOf } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { turnBack } from './turns.js';
+import { turnBack } from './poses.js';
 
-const { If, abs, dot, float, int, ivec2, max, normalize, select, transpose, uint, uintBitsToFloat } = tsl;
-const { unpackHalf2x16, unpackSnorm2x16, vec3 } = tsl;
+const { abs, cross, dot, float, If, instanceIndex, int, ivec2, max, normalize, select, transpose, uint } = tsl;
+const { uintBitsToFloat, unpackHalf2x16, unpackSnorm2x16, vec3, vec4 } = tsl;
+
+/** Counterpart of shaders/outlines/points.glsl: the end points of outlines (src/mesh/bake/outlineLayout.ts). */
 
 const outlinePoints = /* @__PURE__ */ hatchingTexture('outlinePoints', /* @__PURE__ */ blankIntegers());
 
 /** Deformed positions, by vertex; w is 1 where `deformedTurns` has a rotation. */
 const deformedPositions = /* @__PURE__ */ hatchingTexture('deformedPositions', /* @__PURE__ */ blankPoses());
+
 /** The rotation by the skin, or the deformed normal. */
 const deformedTurns = /* @__PURE__ */ hatchingTexture('deformedTurns', /* @__PURE__ */ blankPoses());
+
 /** Whether the mesh deforms. A uniform, since deforming and rigid meshes may share a material. */
 const isDeformed = /* @__PURE__ */ hatchingUniform('isDeformed', 'float');
 
@@ -80,4 +81,84 @@ export function readPoint(word: Value, eye: Value): OutlinePoint {
   const length2 = dot(w, w).toVar();
   const bend = select(length2.greaterThan(0), dot(w, kw).div(length2), float(0)).toVar();
   return { position, anchor, normal, facing, bend };
+}
+
+/** Counterpart of shaders/outlines/primitives.glsl: all primitives, or those in a list (src/mesh/bake/outlineLayout.ts). */
+
+const outlinePrimitives = /* @__PURE__ */ hatchingTexture('outlinePrimitives', /* @__PURE__ */ blankIntegers());
+
+/** The list of primitives, four per texel; with instances two, each with the index of its instance. */
+const candidates = /* @__PURE__ */ hatchingTexture('candidates', /* @__PURE__ */ blankIntegers());
+
+/** Instance matrices, one column per texel. */
+const instancePlaces = /* @__PURE__ */ hatchingTexture('instancePlaces', /* @__PURE__ */ blankFloats());
+
+const isListed = /* @__PURE__ */ hatchingUniform('isListed', 'float');
+
+/** Whether the mesh has instances. A uniform, since three.js would use one program for objects of both kinds. */
+const isInstanced = /* @__PURE__ */ hatchingUniform('isInstanced', 'float');
+
+/** The columns of the matrix of an instance. */
+export type InstancePlace = readonly [x: Value, y: Value, z: Value, origin: Value];
+
+/** A primitive by its index, and the matrix of its instance. */
+export function readPrimitive(i: Value): { primitive: Value; instancePlace: InstancePlace } {
+  const number = i.toVar();
+  const instance = int(instanceIndex).toVar();
+  const hasInstances = isInstanced.greaterThan(0.5).toVar();
+  If(isListed.greaterThan(0.5), () => {
+    const perTexel = select(hasInstances, int(2), int(4)).toVar();
+    const texel = candidates.load(texelOf(i.div(perTexel), candidates)).toVar();
+    const place = i.mod(perTexel).toVar();
+    If(hasInstances, () => {
+      number.assign(int(texel.element(place.mul(2))));
+      instance.assign(int(texel.element(place.mul(2).add(1))));
+    }).Else(() => {
+      number.assign(int(texel.element(place)));
+    });
+  });
+  const primitive = outlinePrimitives.load(texelOf(number, outlinePrimitives)).toVar();
+  const column = (k: number): Value => vec3(...[0, 1, 2].map((row) => (row === k ? 1 : 0))).toVar();
+  const instancePlace: InstancePlace = [column(0), column(1), column(2), column(3)];
+  If(hasInstances, () => {
+    for (const [k, target] of instancePlace.entries()) {
+      target.assign(instancePlaces.load(texelOf(instance.mul(4).add(k), instancePlaces)).xyz);
+    }
+  });
+  return { primitive, instancePlace };
+}
+
+export const flagsOf = (primitive: Value): Value =>
+  primitive.x.shiftRight(uint(POINT_BITS)).bitOr(primitive.y.shiftRight(uint(POINT_BITS)).shiftLeft(uint(4)));
+
+export const hasFlag = (flags: Value, flag: number): Value => flags.bitAnd(uint(flag)).notEqual(uint(0));
+
+export const isEdge = (primitive: Value): Value => hasFlag(flagsOf(primitive), IS_EDGE);
+
+/** The rows of the inverse of a 3 × 3 matrix. */
+function inverseRows([x, y, z]: InstancePlace): [Value, Value, Value] {
+  const yz = cross(y, z).toVar();
+  const determinant = dot(x, yz).toVar();
+  return [yz.div(determinant), cross(z, x).div(determinant), cross(x, y).div(determinant)];
+}
+
+/** Whether an instance is hidden by a scale of 0. */
+export const isScaledToNothing = ([x, y, z]: InstancePlace): Value => dot(x, x).add(dot(y, y)).add(dot(z, z)).equal(0);
+
+/** The eye in the space of the instance. */
+export function eyeOfInstance(eye: Value, instancePlace: InstancePlace): Value {
+  const away = eye.xyz.sub(eye.w.mul(instancePlace[3])).toVar();
+  const [a, b, c] = inverseRows(instancePlace);
+  return vec4(dot(a, away), dot(b, away), dot(c, away), eye.w).toVar();
+}
+
+/** A position in the space of the mesh. @param position in the space of the instance */
+export function placeOfInstance(position: Value, [x, y, z, origin]: InstancePlace): Value {
+  return x.mul(position.x).add(y.mul(position.y)).add(z.mul(position.z)).add(origin);
+}
+
+/** A normal in the space of the mesh, not of unit length. */
+export function normalOfInstance(normal: Value, instancePlace: InstancePlace): Value {
+  const [a, b, c] = inverseRows(instancePlace);
+  return vec3(a.mul(normal.x).add(b.mul(normal.y)).add(c.mul(normal.z)));
 }

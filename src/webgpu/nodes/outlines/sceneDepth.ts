@@ -9,7 +9,7 @@ import {
   UnsignedIntType,
 } from 'three';
 import { type NodeBuilder, WebGPUCoordinateSystem } from 'three/webgpu';
-import { isOrthographic } from '../base/isOrthographic.js';
+import { isOrthographic } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type TextureValue, threeNodes, tsl, type Value } from '../base/values.js';
 

@@ -1,28 +1,15 @@
 /** Counterpart of shaders/outlines/shade.glsl: outlines are heavier away from the light, and lost between lit surface and paper. */
 import type { Light } from 'three';
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
-import { isOrthographic } from '../base/isOrthographic.js';
+import { meanLight } from '../base/lights.js';
+import { isOrthographic } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { meanLight } from '../chunks/meanLight.js';
 import type { Piece, PieceEnd } from './piece.js';
-import { type InstancePlace, normalOfInstance, placeOfInstance } from './primitives.js';
+import { type InstancePlace, normalOfInstance, placeOfInstance } from './points.js';
 
-const {
-  cameraViewMatrix,
-  dot,
-  float,
-  length,
-  max,
-  mix,
-  modelNormalMatrix,
-  modelViewMatrix,
-  normalize,
-  select,
-  smoothstep,
-  vec3,
-  vec4,
-} = tsl;
+const { cameraViewMatrix, dot, float, length, max, mix, modelNormalMatrix, modelViewMatrix, normalize, select } = tsl;
+const { smoothstep, vec3, vec4 } = tsl;
 const { INSIDE, LIT, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, SHADED } = OUTLINE_CONSTANTS;
 
 /** Weights on the lit side and on the shaded side. */

@@ -1,0 +1,123 @@
+import type { Camera, DataTexture, IUniform, Scene, WebGLRenderer } from 'three';
+import { isFitted } from '../material/exposure/isFitted.js';
+import { writeFit } from '../material/exposure/ToneFit.js';
+import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
+import type { hatchLayer } from './nodes/anchored/stipple.js';
+
+/** Code that is imported when a material first needs it. */
+export class Later<Code> {
+  /** Undefined until it is loaded. */
+  code: Code | undefined;
+  private fetching: Promise<void> | undefined;
+
+  /** @param what the task of the code, as a verb phrase. @param without the effect while it is missing, as a clause */
+  constructor(
+    private readonly what: string,
+    private readonly without: string,
+    private readonly load: () => Promise<Code>,
+  ) {}
+
+  /** Imports the code, once. After a failure the next call tries again. @throws Error that says what could not be fetched */
+  fetch(): Promise<void> {
+    this.fetching ??= this.load().then(
+      (code) => {
+        this.code = code;
+      },
+      (cause: unknown) => {
+        this.fetching = undefined;
+        const message = `HatchingNodeMaterial: the code that ${this.what} could not be fetched; ${this.without}. Serve all files of the package; the next frame, or "ready", tries again.`;
+        console.error(message);
+        throw new Error(message, { cause });
+      },
+    );
+    return this.fetching;
+  }
+
+  /** Starts the import without waiting for it. @param whenThere called once it is loaded */
+  ask(whenThere?: () => void): void {
+    // `fetch` reports its failure itself.
+    this.fetch().then(whenThere, () => {});
+  }
+}
+
+/** The code of a medium's pattern. */
+interface Code {
+  readonly texture: () => DataTexture;
+  /** Prints dots; stipple alone has it. */
+  readonly dotLayer?: typeof hatchLayer;
+}
+
+interface Pattern {
+  /** The uniform of the pattern's texture. */
+  readonly name: string;
+  readonly made: Later<Code>;
+}
+
+/** The pattern of each medium that has one. */
+const PATTERNS: Readonly<Partial<Record<string, Pattern>>> = {
+  dry: {
+    name: 'toothMap',
+    made: /* @__PURE__ */ new Later('makes the tooth of paper', 'surfaces are plain paper', async () => ({
+      texture: (await import('../material/tam/toothMap.js')).toothMap,
+    })),
+  },
+  stipple: {
+    name: 'stippleMap',
+    made: /* @__PURE__ */ new Later('places dots', 'surfaces are plain paper', async () => {
+      const codes = [import('../material/tam/stippleMap.js'), import('./nodes/anchored/stipple.js')] as const;
+      const [{ stippleMap }, { hatchLayer }] = await Promise.all(codes);
+      return { texture: stippleMap, dotLayer: hatchLayer };
+    }),
+  },
+};
+
+type Look = Pick<HatchingMaterialProperties, 'technique' | 'medium'>;
+
+const patternOf = ({ technique, medium }: Look): Pattern | undefined =>
+  technique === 'anchored' ? PATTERNS[medium] : undefined;
+
+/** Resolves when the pattern of a material's medium is loaded, or it has none. */
+export const patternReady = async (look: Look): Promise<void> => patternOf(look)?.made.fetch();
+
+/** The function that prints the dots of a material, once it is loaded. Nodes built before that print none. */
+export const dotLayerOf = (look: Look): Code['dotLayer'] => patternOf(look)?.made.code?.dotLayer;
+
+/**
+ * Writes the pattern of a material's medium, once it is loaded.
+ *
+ * @param whenThere called when it is loaded, if it is not yet
+ * @returns whether it is loaded, or the medium has none
+ */
+export function writePattern(look: Look, uniforms: Record<string, IUniform>, whenThere: () => void): boolean {
+  const pattern = patternOf(look);
+  if (!pattern) return true;
+  const { code } = pattern.made;
+  if (code) uniforms[pattern.name].value = code.texture();
+  else pattern.made.ask(whenThere);
+  return code !== undefined;
+}
+
+const fitting = /* @__PURE__ */ new Later(
+  'fits an exposure',
+  'the exposure is 1',
+  () => import('../material/exposure/sceneExposure.js'),
+);
+
+/** Resolves when the code that fits a material's exposure is loaded, or is not needed. */
+export const exposureReady = async (material: HatchingMaterialProperties): Promise<void> => {
+  if (isFitted(material)) await fitting.fetch();
+};
+
+/** Writes the exposure that suits the scene if `exposure` is fitted, once the code is loaded. */
+export function writeExposure(
+  material: HatchingMaterialProperties,
+  renderer: WebGLRenderer,
+  scene: Scene,
+  camera: Camera,
+  uniforms: Record<string, IUniform>,
+): void {
+  if (!isFitted(material)) return;
+  const { code } = fitting;
+  if (code) writeFit(code.sceneExposure(renderer, scene, camera), material, uniforms);
+  else fitting.ask();
+}

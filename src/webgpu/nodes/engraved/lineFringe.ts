@@ -1,2 +1,0 @@
-/** Width over which the edge of a line fades, pixels. */
-export const FRINGE = 0.5;
