@@ -27,7 +27,7 @@ export class ExportActions {
     const saved = await this.draw(async () => (await import('./savePicture.js')).savePicture, again);
     if (!saved) return;
     const { kind, size, pixelsPerRadius } = saved;
-    const { simplified } = this.session.modelLoader;
+    const { simplified } = this.session.modelLoader.shown;
     const pixels = simplified ? pixelsPerRadius * simplified.error : 0;
     if (pixels <= MOST_PIXELS) this.status.say(`Saved as ${kind}: ${size}.`);
     else {
@@ -38,8 +38,8 @@ export class ExportActions {
 
   /** Saves the picture from more triangles than the page draws. */
   private readonly saveFiner = (): Promise<void> => {
-    const { shownFiles, variant } = this.session.modelLoader;
-    return this.save(async () => (await import('./saveFiner.js')).saveFiner(shownFiles.files, variant), {
+    const { files, variant } = this.session.modelLoader.shown;
+    return this.save(async () => (await import('./saveFiner.js')).saveFiner(files, variant), {
       label: 'Save it again',
       run: this.saveFiner,
     });
@@ -87,7 +87,7 @@ export class ExportActions {
         async (report, signal) => {
           const [draw] = await Promise.all([fetchDraw(), this.geometries.settled(signal)]);
           signal.throwIfAborted();
-          result = await draw(viewport, { ...this.session.settings }, fileStem(modelLoader.title), report, signal);
+          result = await draw(viewport, { ...this.session.settings }, fileStem(modelLoader.shown.title), report, signal);
         },
         again,
       );
@@ -100,7 +100,7 @@ export class ExportActions {
   readonly saveDrawing = async (): Promise<void> => {
     const { session, status } = this;
     const { modelLoader } = session;
-    const { unpacked, files } = modelLoader.shownFiles;
+    const { unpacked, files } = modelLoader.shown;
     if (!modelLoader.ownFiles) {
       status.say('This model is part of the page: a link to the drawing brings all of it back.');
       return;
@@ -115,7 +115,7 @@ export class ExportActions {
         strokes: session.ownStrokes ?? [],
         link: link.toString(),
       };
-      download(await zipDrawing(drawing), `${fileStem(modelLoader.title)}-drawing.zip`);
+      download(await zipDrawing(drawing), `${fileStem(modelLoader.shown.title)}-drawing.zip`);
       status.say(
         'Saved as a ZIP: the model, its look, the view and the light. Dropped here, it is this drawing again.',
       );

@@ -1,15 +1,47 @@
 import { MathUtils, Spherical } from 'three';
 import { flatteringLight } from 'three-hatching';
+import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
+import { type ModelExtras, movedExtras } from '../../viewer/files/common/ModelExtras.js';
+import { counted } from '../../viewer/files/common/shownText.js';
 import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
+import { viewsOfFile } from '../../viewer/sceneSetup/viewsOfFile.js';
 import { acceptSetting } from '../../viewer/settings/acceptSetting.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
-import { lightOf, type SavedView } from '../../viewer/settings/savedViews.js';
+import { isLitBy, lightOf, type SavedView } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import { extrasInWorld } from '../maps/extrasInWorld.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
+/** Lights models, and creates views from the cameras and lights of their files. Fetched with the first model that needs it. */
+export class FileLights {
+  /** If the shown model is lit by its file's lights: the previous lights, the file's, and the light that suits the view. */
+  private lit: Record<'before' | 'given' | 'found', SavedView['light']> | undefined;
+
+  constructor(
+    private readonly viewport: Viewport,
+    private readonly settings: Settings,
+  ) {}
+
+  /** Lights the shown model, after removing the lights of the previous file. */
+  light(): void {
+    const { settings, viewport, lit } = this;
+    if (lit && isLitBy(settings, lit.given)) Object.assign(settings, lit.before);
+    const before = lightOf(settings);
+    const found = lightModel(viewport, settings);
+    this.lit = found && { before, given: lightOf(settings), found };
+  }
+
+  /** The views of the most recently lit model's file, and notes on cameras and lights left out. */
+  viewsOf(model: HatchedModel): { views: SavedView[]; notes: string[] } {
+    const { cameras, lights } = extrasInWorld(model);
+    const { views, leftOut } = viewsOfFile(cameras, lightOf(this.settings), this.lit?.found);
+    const dark = this.lit ? (lightsOfFile(lights)?.leftOut ?? 0) : 0;
+    const notes = [counted(leftOut, 'camera', 'left out'), counted(dark, 'light', 'left out')];
+    return { views, notes: notes.filter(Boolean) };
+  }
+}
+
 /**
- * Lights the shown model for its view, or by its file's lights, and applies the settings. A module of its own, loaded with the first file.
+ * Lights the shown model for its view, or by its file's lights, and applies the settings.
  *
  * @returns the light that suits the view, if the model is lit by its file instead
  */
@@ -33,4 +65,12 @@ export function lightModel(viewport: Viewport, settings: Settings): SavedView['l
   // The shadow has changed.
   if (view.isFramed) view.frame();
   return ofFile && found;
+}
+
+/** The cameras and lights of a model's file, in the space of the upright model. */
+function extrasInWorld({ root, extras }: HatchedModel): ModelExtras {
+  const { parent } = root;
+  if (!parent) return extras;
+  parent.updateWorldMatrix(true, false);
+  return movedExtras(extras, parent.matrixWorld);
 }

@@ -13,7 +13,7 @@ export async function openDropped(
   { modelLoader, mapLoader }: { modelLoader: ModelLoader; mapLoader: MapLoader },
   isAtMap: boolean,
 ): Promise<void> {
-  const { kind, files } = sortDrop(dropped, modelLoader.shownFiles, isAtMap);
+  const { kind, files } = sortDrop(dropped, modelLoader.shown, isAtMap);
   if (kind === 'model') await modelLoader.showFiles(files);
   else if (kind === 'map' || (await askForStrokes(files))) await mapLoader.showFiles(files);
 }

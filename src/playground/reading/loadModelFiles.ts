@@ -8,8 +8,8 @@ import type { ReadAhead } from './readAhead.js';
 export interface LoadOptions {
   /** Aborting terminates the worker at once and rejects with the signal's reason. */
   signal: AbortSignal;
-  /** Called with a description of the current step. */
-  onStage: (viewport: string) => void;
+  /** Called with a description of the current step and, if known, how far it is in [0, 1]. */
+  onStage: (stage: string, progress?: number) => void;
   /** Called with a coarse copy of a large model before that is ready. */
   onCoarse?: ((model: ReadModel) => void) | undefined;
   /** The maximum number of triangles after simplification; by default as many as a sheet shows. */
@@ -106,7 +106,7 @@ async function readInWorker(
         if (data.kind === 'stage') {
           bytes = Math.max(bytes, data.bytes ?? 0);
           restartTimer();
-          onStage(data.viewport);
+          onStage(data.stage);
         } else if (data.kind === 'coarse') {
           restartTimer();
           onCoarse?.(data.model);

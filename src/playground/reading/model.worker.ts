@@ -24,7 +24,7 @@ export interface FineRequest {
 
 /** A message from the worker: progress, result, or an error's sentence. */
 export type ModelWorkerMessage =
-  | { kind: 'stage'; viewport: string; bytes: number | undefined }
+  | { kind: 'stage'; stage: string; bytes: number | undefined }
   | { kind: 'coarse'; model: ReadModel }
   | { kind: 'done'; model: ReadModel }
   | { kind: 'failed'; sentence: string };
@@ -54,13 +54,13 @@ function postCoarse(model: ReadMesh): void {
 
 /** Simplifies a model. If that fails, the full model is used if it can be drawn. */
 async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise<ReadMesh> {
-  const viewport = `simplifying ${triangleCount(model.mesh).toLocaleString('en')} triangles`;
-  onStage(viewport);
+  const stage = `simplifying ${triangleCount(model.mesh).toLocaleString('en')} triangles`;
+  onStage(stage);
   let said = performance.now();
   const onProgress = (progress: number): void => {
     if (performance.now() < said + STAGE_MS) return;
     said = performance.now();
-    onStage(`${viewport}: ${Math.floor(100 * progress)} %`);
+    onStage(`${stage}: ${Math.floor(100 * progress)} %`);
   };
   try {
     return await simplified(model, onProgress, most);
@@ -74,7 +74,7 @@ addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] |
   try {
     const { files, most, variant }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
       'files' in data ? data : { files: data };
-    const onStage: OnStage = (viewport, bytes) => post({ kind: 'stage', viewport, bytes });
+    const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
     const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, variant));
     const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
     const isLessDrawn = isTooFine(model, most);

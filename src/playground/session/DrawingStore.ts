@@ -172,7 +172,7 @@ export class AddressWriter {
       model: session.settings.model === 'file' ? modelLoader.ownFiles : undefined,
       map: session.ownStrokes,
     };
-    this.keeper.shown(files, modelLoader.title, session.link, session.viewport.view.ownPlace);
+    this.keeper.shown(files, modelLoader.shown.title, session.link, session.viewport.view.ownPlace);
     if (files.model || files.map) this.wantPicture();
   }
 }

@@ -45,12 +45,11 @@ export class Status {
    * @param cancel the same function as long as it is the same task
    * @param isByItself whether the page has started the task by itself: then earlier messages stay too
    */
-  working(viewport: string, progress: number | undefined, cancel: () => void, isByItself = false): void {
+  working(stage: string, progress: number | undefined, cancel: () => void, isByItself = false): void {
     const isSameTask = cancel === this.shownTask;
     this.shownTask = cancel;
     this.cancelTask = cancel;
-    if (!this.isSaying || !(isSameTask || isByItself))
-      this.rest(`${viewport.charAt(0).toUpperCase()}${viewport.slice(1)}…`);
+    if (!this.isSaying || !(isSameTask || isByItself)) this.rest(`${stage.charAt(0).toUpperCase()}${stage.slice(1)}…`);
     const { progress: bar, progressLine, cancel: button } = this.elements;
     bar.hidden = false;
     button.hidden = false;

@@ -13,7 +13,7 @@ type TaskEnd = 'done' | 'failed' | 'replaced';
 export class TaskRunner {
   private readonly running = new Map<
     Slot,
-    { controller: AbortController; viewport: string; progress: number | undefined; cancel: () => void }
+    { controller: AbortController; stage: string; progress: number | undefined; cancel: () => void }
   >();
   /** Functions called when a task has ended. */
   private readonly waiting = new Set<() => void>();
@@ -72,14 +72,14 @@ export class TaskRunner {
     const controller = new AbortController();
     const entry = {
       controller,
-      viewport: 'starting',
+      stage: 'starting',
       progress: undefined as number | undefined,
       cancel: () => this.cancel(),
     };
     this.running.set(slot, entry);
-    const report: Report = (viewport, progress) => {
+    const report: Report = (stage, progress) => {
       if (controller.signal.aborted) return;
-      Object.assign(entry, { viewport, progress });
+      Object.assign(entry, { stage, progress });
       this.show();
     };
     let failure: unknown;
@@ -135,7 +135,7 @@ export class TaskRunner {
     const slot = SLOTS.find((candidate) => this.running.has(candidate));
     const entry = slot && this.running.get(slot);
     if (!entry) this.status.idle();
-    else this.status.working(entry.viewport, entry.progress, entry.cancel, slot === 'occlusion');
+    else this.status.working(entry.stage, entry.progress, entry.cancel, slot === 'occlusion');
   }
 
   private cancel(): void {

@@ -60,3 +60,21 @@ export function whenDrawn(gl: WebGL2RenderingContext): Promise<void> {
     setTimeout(poll, POLL_MILLISECONDS);
   });
 }
+
+/** The maximum wait for a frame to be submitted, in milliseconds: a hidden page draws none. */
+const FRAME_MILLISECONDS = 100;
+/** The maximum wait for a frame to be drawn, in milliseconds. */
+const DRAWING_MILLISECONDS = 1000;
+
+/** Resolves when the next frame is on the page. */
+export async function afterFrame(context: WebGL2RenderingContext): Promise<void> {
+  await within(FRAME_MILLISECONDS, new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
+  await within(DRAWING_MILLISECONDS, whenDrawn(context));
+}
+
+/** Resolves with a task, or after a timeout in milliseconds. */
+async function within(milliseconds: number, task: Promise<unknown>): Promise<void> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  await Promise.race([task, new Promise((resolve) => (timer = setTimeout(resolve, milliseconds)))]);
+  clearTimeout(timer);
+}

@@ -49,7 +49,7 @@ function makePage(
   const frames = { invalidate: () => {}, keepPictures: () => {}, leavePictures: () => {} };
   const viewport = { model, shown: { isPlaceholder: false }, quality, isComplete: true, frames };
   const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
-  const session = { viewport, settings, modelLoader: { title: 'A model', simplified, shownFiles: { files: FILES } } };
+  const session = { viewport, settings, modelLoader: { shown: { title: 'A model', simplified, files: FILES } } };
   const form = new GeometryLoader(viewport as never, settings, tasks);
   const actions = new ExportActions(session as never, {} as never, line.status, tasks, form);
   return { line, viewport, settings, form, actions };

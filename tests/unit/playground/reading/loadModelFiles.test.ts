@@ -63,7 +63,7 @@ describe('reading in a worker', () => {
         url: 'a',
         files: Promise.resolve(files(1)),
         worker: worker as unknown as Worker,
-        messages: [{ kind: 'stage', viewport: 'unpacking', bytes: 1 }],
+        messages: [{ kind: 'stage', stage: 'unpacking', bytes: 1 }],
         hasFailed: false,
       },
     );
@@ -125,7 +125,7 @@ describe('reading in a worker', () => {
     const state = start();
     for (let i = 0; i < 10; i++) {
       await vi.advanceTimersByTimeAsync(20_000);
-      state.worker.say({ kind: 'stage', viewport: `picture ${i}`, bytes: undefined });
+      state.worker.say({ kind: 'stage', stage: `picture ${i}`, bytes: undefined });
     }
     expect(state.stages).toHaveLength(10);
     state.worker.say({ kind: 'done', model: {} as ReadModel });
@@ -137,7 +137,7 @@ describe('reading in a worker', () => {
   test('may take longer for large files, also once they are unpacked', async () => {
     const large = start(100 * MEGABYTE);
     const packed = start(MEGABYTE);
-    packed.worker.say({ kind: 'stage', viewport: 'reading', bytes: 100 * MEGABYTE });
+    packed.worker.say({ kind: 'stage', stage: 'reading', bytes: 100 * MEGABYTE });
     await vi.advanceTimersByTimeAsync(69_000);
     expect([large.end, packed.end]).toEqual(['reading', 'reading']);
     await vi.advanceTimersByTimeAsync(2000);
@@ -149,7 +149,7 @@ describe('reading in a worker', () => {
     const failed = start();
     failed.worker.say({ kind: 'failed', sentence: 'It is empty.' });
     const broken = start();
-    broken.worker.say({ kind: 'stage', viewport: 'reading', bytes: undefined });
+    broken.worker.say({ kind: 'stage', stage: 'reading', bytes: undefined });
     broken.worker.dispatchEvent(new Event('error', { cancelable: true }));
     const large = start(9 * MEGABYTE);
     large.worker.dispatchEvent(new Event('error', { cancelable: true }));

@@ -18,7 +18,7 @@ afterEach(() => {
 /** A writer for a session whose state the test sets, and the links that were written. */
 function createWriter() {
   const listeners: SessionListener[] = [];
-  const modelLoader = { isLoading: false, ownFiles: undefined as unknown, title: 'bunny' };
+  const modelLoader = { isLoading: false, ownFiles: undefined as unknown, shown: { title: 'bunny' } };
   const session = {
     ...{ modelLoader, link: 'technique=engraved', ownStrokes: undefined },
     settings: { model: 'bunny' },
