@@ -67,6 +67,9 @@ export class CodeDialog {
   private save(): void {
     if (!this.shown) return;
     const { code, extension } = this.shown;
-    download(new Blob([code], { type: 'text/plain' }), `${fileStem(this.session.modelLoader.shown.title)}.${extension}`);
+    download(
+      new Blob([code], { type: 'text/plain' }),
+      `${fileStem(this.session.modelLoader.shown.title)}.${extension}`,
+    );
   }
 }

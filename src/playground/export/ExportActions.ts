@@ -87,7 +87,13 @@ export class ExportActions {
         async (report, signal) => {
           const [draw] = await Promise.all([fetchDraw(), this.geometries.settled(signal)]);
           signal.throwIfAborted();
-          result = await draw(viewport, { ...this.session.settings }, fileStem(modelLoader.shown.title), report, signal);
+          result = await draw(
+            viewport,
+            { ...this.session.settings },
+            fileStem(modelLoader.shown.title),
+            report,
+            signal,
+          );
         },
         again,
       );
