@@ -1,6 +1,6 @@
 import { disjointSets, join, rootOf } from './disjointSets.js';
 import { hashWords } from './hashWords.js';
-import { asPhase, forEachChunk } from './phases.js';
+import { asPhase, chunkPhase, forEachChunk } from './phases.js';
 
 /** The result of `clusterPositions`. */
 export interface Clusters {
@@ -63,11 +63,7 @@ export function* clusterPositions(
   }
   const cells = yield* asPhase(sortIntoCells(points, min, tolerance), 0, 0.4);
   const parents = disjointSets(count);
-  yield* asPhase(
-    forEachChunk(cells.count, (start, end) => connectRange(points, cells, parents, tolerance, start, end)),
-    0.4,
-    1,
-  );
+  yield* chunkPhase(cells.count, 0.4, 1, (start, end) => connectRange(points, cells, parents, tolerance, start, end));
   const first = new Uint32Array(count);
   for (let i = 0; i < count; i++) first[i] = rootOf(parents, i);
   return { first, steps: cells.steps };

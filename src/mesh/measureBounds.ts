@@ -1,4 +1,4 @@
-import { asPhase, forEachChunk } from './phases.js';
+import { chunkPhase } from './phases.js';
 import type { TriangleMesh } from './TriangleMesh.js';
 
 /** The bounding box of a mesh, and the radius of its bounding sphere about the middle of the box. */
@@ -14,24 +14,12 @@ export function* measureBounds({ positions, indices }: TriangleMesh): Generator<
   const { min, max } = bounds;
   const count = positions.length / 3;
   const isUsed = new Uint8Array(count);
-  yield* asPhase(
-    forEachChunk(indices.length, (start, end) => markRange(indices, isUsed, start, end)),
-    0,
-    0.5,
-  );
-  yield* asPhase(
-    forEachChunk(count, (start, end) => enclose(positions, isUsed, bounds, start, end)),
-    0.5,
-    0.8,
-  );
+  yield* chunkPhase(indices.length, 0, 0.5, (start, end) => markRange(indices, isUsed, start, end));
+  yield* chunkPhase(count, 0.5, 0.8, (start, end) => enclose(positions, isUsed, bounds, start, end));
   const center: Bounds['min'] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
-  yield* asPhase(
-    forEachChunk(count, (start, end) => {
-      bounds.radius = Math.max(bounds.radius, farthest(positions, isUsed, center, start, end));
-    }),
-    0.8,
-    1,
-  );
+  yield* chunkPhase(count, 0.8, 1, (start, end) => {
+    bounds.radius = Math.max(bounds.radius, farthest(positions, isUsed, center, start, end));
+  });
   return bounds;
 }
 

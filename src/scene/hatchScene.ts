@@ -11,7 +11,7 @@ import type {
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
-import { runSliced } from '../mesh/runSliced.js';
+import { runSliced } from '../mesh/phases.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { startWorker } from '../worker/runTask.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';

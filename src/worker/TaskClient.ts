@@ -1,4 +1,4 @@
-import { runSliced, type SlicedOptions } from '../mesh/runSliced.js';
+import { runSliced, type SlicedOptions } from '../mesh/phases.js';
 import { awaitEnd } from './lifeLock.js';
 import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
 import { SILENCE_SECONDS, SilenceWatch } from './SilenceWatch.js';

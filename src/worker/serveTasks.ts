@@ -1,4 +1,4 @@
-import { runSliced } from '../mesh/runSliced.js';
+import { runSliced } from '../mesh/phases.js';
 import { holdLifeLock } from './lifeLock.js';
 import { type FromWorker, packError, type ToWorker } from './protocol.js';
 import type { AnyTask, Tasks } from './TaskSet.js';

@@ -1,17 +1,13 @@
 /** What the benchmarks know of the library beyond its public names: the bake and the maps, step by step. */
 
-export { buildTriangleAdjacency } from '../../src/mesh/adjacency/buildTriangleAdjacency.js';
-export { consistentTwins } from '../../src/mesh/adjacency/consistentTwins.js';
+export { buildTriangleAdjacency, consistentTwins } from '../../src/mesh/adjacency/buildTriangleAdjacency.js';
 export { joinBorders } from '../../src/mesh/adjacency/joinBorders.js';
 export { pairEdges } from '../../src/mesh/adjacency/pairEdges.js';
-export { bakeCorners } from '../../src/mesh/bake/bakeCorners.js';
+export { bakeCorners, expandPerCorner, packCornerAttributes, packCorners } from '../../src/mesh/bake/bakeCorners.js';
 export { bakeIndexed } from '../../src/mesh/bake/bakeIndexed.js';
-export { bakePull } from '../../src/mesh/bake/bakePull.js';
+export { bakePull, packPull } from '../../src/mesh/bake/bakePull.js';
 export { DEFAULT_SMOOTHING_SHARE, nearnessOf, type Surface } from '../../src/mesh/bake/bakeSurface.js';
-export { expandPerCorner, packCornerAttributes } from '../../src/mesh/bake/packCornerAttributes.js';
-export { packCorners } from '../../src/mesh/bake/packCorners.js';
-export { packHatchNormals } from '../../src/mesh/bake/packNormals.js';
-export { packPull } from '../../src/mesh/bake/packPull.js';
+export { packHatchNormals } from '../../src/mesh/bake/packAttributes.js';
 export { splitVertices } from '../../src/mesh/bake/splitVertices.js';
 export { computeAreaNormals } from '../../src/mesh/computeAreaNormals.js';
 export { combedField } from '../../src/mesh/form/bakeForm.js';
@@ -21,16 +17,12 @@ export { faceDirections } from '../../src/mesh/form/directions/faceDirections.js
 export { FORM_DEFAULTS } from '../../src/mesh/form/FormField.js';
 export { formSurface } from '../../src/mesh/form/FormSurface.js';
 export { measureBounds } from '../../src/mesh/measureBounds.js';
-export { absorbSmallPatches } from '../../src/mesh/normals/absorbSmallPatches.js';
-export { buildFans } from '../../src/mesh/normals/buildFans.js';
-export { cutCreases } from '../../src/mesh/normals/cutCreases.js';
-export { cutSharpEdges } from '../../src/mesh/normals/cutSharpEdges.js';
-export type { FanNormals } from '../../src/mesh/normals/fanNormals.js';
-export { fanDirections } from '../../src/mesh/normals/fanNormals.js';
-export { findPatches } from '../../src/mesh/normals/findPatches.js';
+export { cutCreases, cutSharpEdges } from '../../src/mesh/normals/cutCreases.js';
+export { type FanNormals, fanDirections } from '../../src/mesh/normals/fanNormals.js';
+export { buildFans } from '../../src/mesh/normals/fans.js';
+export { absorbSmallPatches, findPatches } from '../../src/mesh/normals/findPatches.js';
 export { smoothFanNormals } from '../../src/mesh/normals/smoothFanNormals.js';
-export type { TriangleMesh } from '../../src/mesh/TriangleMesh.js';
-export { validateTriangleMesh } from '../../src/mesh/TriangleMesh.js';
+export { type TriangleMesh, validateTriangleMesh } from '../../src/mesh/TriangleMesh.js';
 export { weldPositions } from '../../src/mesh/weldPositions.js';
 export { generateHatchImages } from '../../src/strokes/tamImages/generateHatchImages.js';
 export { generateThresholds } from '../../src/strokes/tamImages/generateThresholds.js';

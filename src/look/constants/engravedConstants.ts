@@ -42,7 +42,7 @@ export const FIELD_CONSTANTS = {
 /** Constants of lines that follow the form, for the processor and, as defines, for the shaders. */
 export const FORM_CONSTANTS = {
   /**
-   * log₂ of the multiples by which φ and φ₂ jump across the seams of the bake (src/mesh/form/phase/roundJumps.ts). Lines farther apart than
+   * log₂ of the multiples by which φ and φ₂ jump across the seams of the bake (src/mesh/form/phase/solvePhase.ts). Lines farther apart than
    * these octaves would break at a seam.
    */
   COARSEST_OCTAVES: [2, 1],

@@ -1,5 +1,5 @@
 import { DataTexture, FloatType, RGBAFormat, RGBAIntegerFormat, UnsignedIntType } from 'three';
-import type { PackedPull } from '../../mesh/bake/packPull.js';
+import type { PackedPull } from '../../mesh/bake/bakePull.js';
 import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 
 /** The textures of a geometry in the `pull` layout (see `pullLayout.ts`). */

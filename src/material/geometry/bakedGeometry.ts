@@ -15,7 +15,7 @@ import {
 import type { BakeCornersResult } from '../../mesh/bake/bakeCorners.js';
 import type { BakeIndexedResult } from '../../mesh/bake/bakeIndexed.js';
 import type { BakePullResult } from '../../mesh/bake/bakePull.js';
-import type { PackedForm } from '../../mesh/bake/packForm.js';
+import type { PackedForm } from '../../mesh/bake/packAttributes.js';
 import { appendVertices, type VertexWords, type Words } from '../../mesh/bake/vertexWords.js';
 import { PulledVertices } from './PulledVertices.js';
 import { finishGeometry, type NotBaked, setNormals } from './preparedGeometry.js';

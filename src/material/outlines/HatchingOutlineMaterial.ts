@@ -14,7 +14,6 @@ import {
 } from 'three';
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
-import { POINT_BITS, POINT_MASK } from '../../mesh/bake/outlineLayout.js';
 import {
   BORDER,
   CONTRARY,
@@ -23,7 +22,9 @@ import {
   CREASE,
   IS_EDGE,
   MATERIAL_BORDER,
-} from '../../mesh/features/edgeFlags.js';
+  POINT_BITS,
+  POINT_MASK,
+} from '../../mesh/bake/outlineLayout.js';
 import { checkColor } from '../checkValues.js';
 import { FrameStamp } from '../FrameStamp.js';
 import { type FadingLook, takesWeight, writeFading, writeImportance } from '../fading/fading.js';

@@ -1,13 +1,18 @@
 import {
+  BORDER,
+  CONTRARY,
+  CREASE,
+  IS_EDGE,
+  LOW_FLAGS,
+  MATERIAL_BORDER,
   POINT_BITS,
   POINT_MASK,
   PRIMITIVE_WORDS,
   SEARCHED_IN_WORKER,
   unpackPoints,
 } from '../../mesh/bake/outlineLayout.js';
-import { paddedWords } from '../../mesh/bake/packPull.js';
+import { paddedWords } from '../../mesh/bake/pullLayout.js';
 import { nextCorner, triangleOf } from '../../mesh/corners.js';
-import { BORDER, CONTRARY, CREASE, IS_EDGE, LOW_FLAGS, MATERIAL_BORDER } from '../../mesh/features/edgeFlags.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 
 /** The corner of an edge side that has no triangle. */

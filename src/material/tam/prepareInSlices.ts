@@ -1,4 +1,4 @@
-import { runSliced } from '../../mesh/runSliced.js';
+import { runSliced } from '../../mesh/phases.js';
 import { requestOfHand } from '../../strokes/handStyle.js';
 import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
 import type { MapRequest } from '../../strokes/tamImages/hatchImageRequest.js';

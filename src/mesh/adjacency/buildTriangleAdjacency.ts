@@ -1,5 +1,6 @@
 import { computeAreaNormals } from '../computeAreaNormals.js';
-import { asPhase, forEachChunk, release } from '../phases.js';
+import { NO_TWIN } from '../corners.js';
+import { asPhase, chunkPhase, forEachChunk, release } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 import { weldPositions } from '../weldPositions.js';
 import { joinBorders, type Nearness } from './joinBorders.js';
@@ -62,10 +63,8 @@ function* weldCorners({
     return { canonicalCorners: indices, steps };
   }
   const canonicalCorners = new Uint32Array(indices.length);
-  yield* asPhase(
-    forEachChunk(indices.length, (start, end) => gatherRange(canonical, indices, canonicalCorners, start, end)),
-    0.8,
-    1,
+  yield* chunkPhase(indices.length, 0.8, 1, (start, end) =>
+    gatherRange(canonical, indices, canonicalCorners, start, end),
   );
   release(canonical);
   return { canonicalCorners, steps };
@@ -84,4 +83,30 @@ function gatherRange(
   end: number,
 ): void {
   for (let corner = start; corner < end; corner++) canonicalCorners[corner] = canonical[indices[corner]];
+}
+
+/**
+ * Returns the twins, with NO_TWIN also where the windings of the two triangles contradict each other.
+ *
+ * @param consistent the twins of the adjacency, which are changed; by default a copy
+ */
+export function* consistentTwins(
+  {
+    twins,
+    canonicalCorners,
+    inconsistentEdges,
+  }: Pick<TriangleAdjacency, 'twins' | 'canonicalCorners' | 'inconsistentEdges'>,
+  consistent: Int32Array<ArrayBuffer> = twins.slice(),
+): Generator<number, Int32Array<ArrayBuffer>, void> {
+  if (inconsistentEdges === 0) return consistent;
+  yield* forEachChunk(twins.length, (start, end) => dropRange(canonicalCorners, consistent, start, end));
+  return consistent;
+}
+
+/** Half-edges are judged one by one; both halves of an edge get the same result. */
+function dropRange(canonicalCorners: Uint32Array, twins: Int32Array, start: number, end: number): void {
+  for (let corner = start; corner < end; corner++) {
+    const twin = twins[corner];
+    if (twin !== NO_TWIN && canonicalCorners[corner] === canonicalCorners[twin]) twins[corner] = NO_TWIN;
+  }
 }

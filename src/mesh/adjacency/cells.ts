@@ -1,4 +1,4 @@
-import { asPhase, forEachChunk, release } from '../phases.js';
+import { chunkPhase, forEachChunk, release } from '../phases.js';
 
 /** A graph: the neighbours of node i lie in entries starts[i] … starts[i + 1] − 1. Each edge has two entries, one for each end. */
 export interface Graph {
@@ -44,11 +44,7 @@ export function* clusterNodes(graph: Graph, rings: number, isWall?: Uint8Array):
     depths: new Uint32Array(nodeCount),
     stamps: new Int32Array(nodeCount).fill(NONE),
   };
-  yield* asPhase(
-    forEachChunk(nodeCount, (start, end) => seedRange(graph, search, start, end)),
-    0,
-    0.5,
-  );
+  yield* chunkPhase(nodeCount, 0, 0.5, (start, end) => seedRange(graph, search, start, end));
   release(search.depths, search.stamps);
   const count = search.seedCount;
   const ofNode = search.queue;
@@ -63,13 +59,9 @@ export function* clusterNodes(graph: Graph, rings: number, isWall?: Uint8Array):
   ofNode.fill(UNREACHED);
   for (let cell = 0; cell < count; cell++) ofNode[order[cell]] = cell;
   let reached = count;
-  yield* asPhase(
-    forEachChunk(nodeCount, (start, end) => {
-      reached = growRange(graph, isWall, cells, reached, start, end);
-    }),
-    0.5,
-    1,
-  );
+  yield* chunkPhase(nodeCount, 0.5, 1, (start, end) => {
+    reached = growRange(graph, isWall, cells, reached, start, end);
+  });
   return cells;
 }
 

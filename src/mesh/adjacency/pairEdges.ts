@@ -1,6 +1,6 @@
 import { isDegenerate } from '../computeAreaNormals.js';
 import { NO_TWIN, nextCorner } from '../corners.js';
-import { asPhase, forEachChunk, release } from '../phases.js';
+import { chunkPhase, release } from '../phases.js';
 import { matchNonManifoldEdge } from './matchNonManifoldEdge.js';
 
 /** How the edges of a mesh were paired. Edges are undirected and counted after welding. */
@@ -52,13 +52,9 @@ export function* pairEdges(
   // First a histogram over the smaller ends, then its prefix sums: every entry is the end of its bucket.
   const starts = new Uint32Array(vertexCount + 1);
   let degenerateTriangles = 0;
-  yield* asPhase(
-    forEachChunk(triangleCount, (start, end) => {
-      degenerateTriangles += countRange(canonicalCorners, areaNormals, starts, start, end);
-    }),
-    0,
-    0.15,
-  );
+  yield* chunkPhase(triangleCount, 0, 0.15, (start, end) => {
+    degenerateTriangles += countRange(canonicalCorners, areaNormals, starts, start, end);
+  });
   let halfEdgeCount = 0;
   for (let vertex = 0; vertex <= vertexCount; vertex++) {
     halfEdgeCount += starts[vertex];
@@ -66,12 +62,8 @@ export function* pairEdges(
   }
 
   const buckets = { starts, corners: new Uint32Array(halfEdgeCount), highs: new Uint32Array(halfEdgeCount) };
-  yield* asPhase(
-    forEachChunk(triangleCount, (start, end) =>
-      scatterRange(canonicalCorners, areaNormals, buckets, triangleCount - end, triangleCount - start),
-    ),
-    0.15,
-    0.45,
+  yield* chunkPhase(triangleCount, 0.15, 0.45, (start, end) =>
+    scatterRange(canonicalCorners, areaNormals, buckets, triangleCount - end, triangleCount - start),
   );
 
   const pairing: Pairing = {
@@ -85,13 +77,9 @@ export function* pairEdges(
   };
   const pairs = { positions, canonicalCorners, latest: new Uint32Array(vertexCount), pairing };
   let low = 0;
-  yield* asPhase(
-    forEachChunk(halfEdgeCount, (_, end) => {
-      low = pairRange(pairs, buckets, low, end);
-    }),
-    0.45,
-    1,
-  );
+  yield* chunkPhase(halfEdgeCount, 0.45, 1, (_, end) => {
+    low = pairRange(pairs, buckets, low, end);
+  });
   release(starts, buckets.corners, buckets.highs, pairs.latest);
   return pairing;
 }

@@ -1,7 +1,6 @@
 import { asPhase } from '../phases.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
-import { formBuffers, type PackedForm, packForm } from './packForm.js';
-import { packHatchNormals, packNormals } from './packNormals.js';
+import { formBuffers, type PackedForm, packForm, packHatchNormals, packNormals } from './packAttributes.js';
 import { outlineBuffers } from './packOutlines.js';
 import { splitVertices } from './splitVertices.js';
 

@@ -1,18 +1,19 @@
-import { buildTriangleAdjacency, type TriangleAdjacency } from '../adjacency/buildTriangleAdjacency.js';
-import { consistentTwins } from '../adjacency/consistentTwins.js';
+import {
+  buildTriangleAdjacency,
+  consistentTwins,
+  type TriangleAdjacency,
+} from '../adjacency/buildTriangleAdjacency.js';
 import type { Nearness } from '../adjacency/joinBorders.js';
 import type { EdgeCounts } from '../adjacency/pairEdges.js';
 import { isCoarse } from '../features/isCoarse.js';
 import { bakeChosenForm, bakeForm } from '../form/bakeForm.js';
 import type { FormField, FormOptions } from '../form/FormField.js';
 import { type Bounds, measureBounds } from '../measureBounds.js';
-import { absorbSmallPatches } from '../normals/absorbSmallPatches.js';
 import type { FanSurface } from '../normals/assembleHeatEquation.js';
-import { buildFans } from '../normals/buildFans.js';
-import { cutCreases } from '../normals/cutCreases.js';
-import { cutSharpEdges } from '../normals/cutSharpEdges.js';
+import { cutCreases, cutSharpEdges } from '../normals/cutCreases.js';
 import { computeSmoothNormals, type FanNormals, fanDirections } from '../normals/fanNormals.js';
-import { findPatches, type Patches } from '../normals/findPatches.js';
+import { buildFans } from '../normals/fans.js';
+import { absorbSmallPatches, findPatches, type Patches } from '../normals/findPatches.js';
 import { smoothFanNormals } from '../normals/smoothFanNormals.js';
 import { asPhase, release } from '../phases.js';
 import { type TriangleMesh, validateTriangleMesh } from '../TriangleMesh.js';

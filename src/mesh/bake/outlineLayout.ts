@@ -1,5 +1,3 @@
-import { readOctahedral } from './octahedral.js';
-
 /**
  * The layout of the two textures that contours and feature edges are drawn from. Both hold unsigned integers (RGBA, 32 bits
  * each).
@@ -51,4 +49,61 @@ export function unpackPoints(
     readOctahedral(words[source + 3], normals, 3 * point);
   }
   return { positions, normals };
+}
+
+// Bit flags of feature edges. An edge may have several; without a kind (`DRAWN_WHOLE`) it is drawn only where the contour runs along it.
+
+/** The edge belongs to one triangle only. */
+export const BORDER = 1;
+/** The edge is sharp, and part of a chain of creases that is long enough. */
+export const CREASE = 2;
+/** The edge lies between two groups of triangles. */
+export const MATERIAL_BORDER = 4;
+/** The windings of the two triangles contradict each other. */
+export const CONTRARY = 8;
+/** At the start of the edge a straight line ends, branches or turns. */
+export const CORNER_AT_START = 16;
+/** At the end of the edge a straight line ends, branches or turns. */
+export const CORNER_AT_END = 32;
+
+/** The kinds of edges that are drawn over their whole length. */
+export const DRAWN_WHOLE: number = BORDER | CREASE | MATERIAL_BORDER;
+
+/** Set for every feature edge, to distinguish it from a triangle. */
+export const IS_EDGE = 64;
+
+/** The flags that lie in the first word of an edge; the others lie in the second. */
+export const LOW_FLAGS = 15;
+
+const ONE = 0x7fff;
+
+/**
+ * Packs a unit vector into one word, as two normalised 16-bit integers. The vector is projected onto an octahedron whose lower
+ * half is folded outwards (Cigolle et al., "A survey of efficient representations for independent unit vectors", 2014). The
+ * error is at most 0.004°.
+ */
+export function octahedral(x: number, y: number, z: number): number {
+  const sum = Math.abs(x) + Math.abs(y) + Math.abs(z) || 1;
+  let u = x / sum;
+  let v = y / sum;
+  if (z < 0) {
+    const folded = (1 - Math.abs(v)) * (u < 0 ? -1 : 1);
+    v = (1 - Math.abs(u)) * (v < 0 ? -1 : 1);
+    u = folded;
+  }
+  return (Math.round(u * ONE) & 0xffff) | ((Math.round(v * ONE) & 0xffff) << 16);
+}
+
+/** Unpacks the unit vector in `word` into `target`, at `offset`. */
+function readOctahedral(word: number, target: Float32Array, offset: number): void {
+  let x = Math.max(((word << 16) >> 16) / ONE, -1);
+  let y = Math.max((word >> 16) / ONE, -1);
+  const z = 1 - Math.abs(x) - Math.abs(y);
+  const below = Math.max(-z, 0);
+  x += x >= 0 ? -below : below;
+  y += y >= 0 ? -below : below;
+  const length = Math.sqrt(x * x + y * y + z * z);
+  target[offset] = x / length;
+  target[offset + 1] = y / length;
+  target[offset + 2] = z / length;
 }

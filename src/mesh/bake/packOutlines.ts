@@ -1,10 +1,15 @@
-import { LOW_FLAGS } from '../features/edgeFlags.js';
 import { TENSOR_FLOATS } from '../features/fanCurvatures.js';
-import { asPhase, forEachChunk } from '../phases.js';
+import { chunkPhase } from '../phases.js';
 import type { OutlineSurface } from './bakeOutlines.js';
-import { octahedral } from './octahedral.js';
-import { POINT_BITS, POINT_WORDS, PRIMITIVE_WORDS, SEARCHED_IN_WORKER } from './outlineLayout.js';
-import { paddedWords } from './packPull.js';
+import {
+  LOW_FLAGS,
+  octahedral,
+  POINT_BITS,
+  POINT_WORDS,
+  PRIMITIVE_WORDS,
+  SEARCHED_IN_WORKER,
+} from './outlineLayout.js';
+import { paddedWords } from './pullLayout.js';
 
 const float = new Float32Array(1);
 const word = new Uint32Array(float.buffer);
@@ -55,27 +60,15 @@ export function* packOutlines(
   const edgeCount = edges.flags.length;
   const positions = new Float32Array(3 * fans.count);
   const vertices = new Uint32Array(fans.count);
-  yield* asPhase(
-    forEachChunk(mesh.indices.length, (start, end) =>
-      placeRange(mesh.positions, mesh.indices, indices, fans.ofCorner, positions, vertices, start, end),
-    ),
-    0,
-    0.3,
+  yield* chunkPhase(mesh.indices.length, 0, 0.3, (start, end) =>
+    placeRange(mesh.positions, mesh.indices, indices, fans.ofCorner, positions, vertices, start, end),
   );
   const points = new Uint32Array(paddedWords(fans.count, POINT_WORDS));
-  yield* asPhase(
-    forEachChunk(fans.count, (start, end) =>
-      packPoints(positions, vertices, normals, curvatures, radius, points, start, end),
-    ),
-    0.3,
-    0.8,
+  yield* chunkPhase(fans.count, 0.3, 0.8, (start, end) =>
+    packPoints(positions, vertices, normals, curvatures, radius, points, start, end),
   );
   const primitives = new Uint32Array(paddedWords(triangleCount + edgeCount, PRIMITIVE_WORDS));
-  yield* asPhase(
-    forEachChunk(triangleCount, (start, end) => packTriangles(fans.ofCorner, primitives, start, end)),
-    0.8,
-    1,
-  );
+  yield* chunkPhase(triangleCount, 0.8, 1, (start, end) => packTriangles(fans.ofCorner, primitives, start, end));
   const first = PRIMITIVE_WORDS * triangleCount;
   primitives.set(edges.fans, first);
   for (let edge = 0; edge < edgeCount; edge++) {

@@ -33,3 +33,9 @@ export function pullTextureSize(texels: number, columns = pullColumns(texels)): 
   const width = Math.min(texels, columns);
   return { width, height: Math.ceil(texels / width) };
 }
+
+/** The number of words in a texture that holds `entries` entries, padding included. A texel has four words. */
+export function paddedWords(entries: number, wordsPerEntry: number, columns?: number): number {
+  const { width, height } = pullTextureSize((entries * wordsPerEntry) / 4, columns);
+  return 4 * width * height;
+}

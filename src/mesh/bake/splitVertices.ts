@@ -1,7 +1,7 @@
 import { isDegenerate } from '../computeAreaNormals.js';
 import { hashWords } from '../hashWords.js';
-import type { Fans } from '../normals/buildFans.js';
-import { asPhase, forEachChunk } from '../phases.js';
+import type { Fans } from '../normals/fans.js';
+import { chunkPhase } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 
 /** The corner of a vertex that no triangle uses. */
@@ -37,12 +37,8 @@ export function* splitVertices(
   const divisions: Divisions = { ofCorner, partOf };
   const conflicts: number[] = [];
   const degenerate: number[] = [];
-  yield* asPhase(
-    forEachChunk(indices.length / 3, (start, end) =>
-      findConflicts(indices, areaNormals, divisions, firstCorners, conflicts, degenerate, start, end),
-    ),
-    0,
-    0.8,
+  yield* chunkPhase(indices.length / 3, 0, 0.8, (start, end) =>
+    findConflicts(indices, areaNormals, divisions, firstCorners, conflicts, degenerate, start, end),
   );
   for (const corner of degenerate) {
     if (firstCorners[indices[corner]] === NO_CORNER) firstCorners[indices[corner]] = corner;
@@ -50,12 +46,8 @@ export function* splitVertices(
   let size = 16;
   while (size < 2 * conflicts.length) size *= 2;
   const copies: Copies = { table: new Uint32Array(size), corners: new Uint32Array(conflicts.length), count: 0 };
-  yield* asPhase(
-    forEachChunk(conflicts.length, (start, end) =>
-      splitRange(mesh.indices, indices, divisions, vertexCount, copies, conflicts, start, end),
-    ),
-    0.8,
-    1,
+  yield* chunkPhase(conflicts.length, 0.8, 1, (start, end) =>
+    splitRange(mesh.indices, indices, divisions, vertexCount, copies, conflicts, start, end),
   );
   const corners = copies.corners.subarray(0, copies.count);
   const cornerOfVertex = new Uint32Array(vertexCount + copies.count);

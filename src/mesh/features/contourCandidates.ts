@@ -1,5 +1,5 @@
-import { asPhase, forEachChunk } from '../phases.js';
-import { BORDER, CONTRARY } from './edgeFlags.js';
+import { BORDER, CONTRARY } from '../bake/outlineLayout.js';
+import { chunkPhase } from '../phases.js';
 
 /** The data of a search for contours. Plain data: it is posted to the worker and back. */
 export interface ContourSearch {
@@ -37,26 +37,14 @@ const LOOKS_AWAY = 2;
 export function* contourCandidates(search: ContourSearch, eye: Eye, sine: number): Generator<number, number, void> {
   const { triangleCount, edgeCount } = search;
   const points = search.positions.length / 3;
-  yield* asPhase(
-    forEachChunk(points, (start, end) => judgePoints(search, eye, sine, start, end)),
-    0,
-    0.6,
-  );
+  yield* chunkPhase(points, 0, 0.6, (start, end) => judgePoints(search, eye, sine, start, end));
   let count = 0;
-  yield* asPhase(
-    forEachChunk(triangleCount, (start, end) => {
-      count = listTriangles(search, count, start, end);
-    }),
-    0.6,
-    0.95,
-  );
-  yield* asPhase(
-    forEachChunk(edgeCount, (start, end) => {
-      count = listEdges(search, count, start, end);
-    }),
-    0.95,
-    1,
-  );
+  yield* chunkPhase(triangleCount, 0.6, 0.95, (start, end) => {
+    count = listTriangles(search, count, start, end);
+  });
+  yield* chunkPhase(edgeCount, 0.95, 1, (start, end) => {
+    count = listEdges(search, count, start, end);
+  });
   return count;
 }
 

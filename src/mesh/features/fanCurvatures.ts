@@ -1,6 +1,6 @@
 import { doubleArea } from '../computeAreaNormals.js';
-import type { Fans } from '../normals/buildFans.js';
-import { asPhase, forEachChunk } from '../phases.js';
+import type { Fans } from '../normals/fans.js';
+import { chunkPhase } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 
 /** Floats per fan: xx, xy, xz, yy, yz, zz of a symmetric matrix. */
@@ -48,16 +48,8 @@ export function* fanCurvatures(
   const areas = new Float32Array(count);
   const fitted = new Float64Array(FITTED_FLOATS);
   const curvatures = { positions, indices, ofCorner, areaNormals, normals, tensors, areas, fitted };
-  yield* asPhase(
-    forEachChunk(indices.length / 3, (start, end) => addTriangles(curvatures, start, end)),
-    0,
-    0.9,
-  );
-  yield* asPhase(
-    forEachChunk(count, (start, end) => divideRange(curvatures, start, end)),
-    0.9,
-    1,
-  );
+  yield* chunkPhase(indices.length / 3, 0, 0.9, (start, end) => addTriangles(curvatures, start, end));
+  yield* chunkPhase(count, 0.9, 1, (start, end) => divideRange(curvatures, start, end));
   return tensors;
 }
 

@@ -1,9 +1,17 @@
+import {
+  BORDER,
+  CONTRARY,
+  CORNER_AT_END,
+  CORNER_AT_START,
+  CREASE,
+  DRAWN_WHOLE,
+  MATERIAL_BORDER,
+} from '../bake/outlineLayout.js';
 import { cosineBetween, isDegenerate } from '../computeAreaNormals.js';
 import { NO_TWIN, nextCorner, triangleOf } from '../corners.js';
 import { disjointSets, join, rootOf } from '../disjointSets.js';
-import { asPhase, forEachChunk } from '../phases.js';
+import { asPhase, chunkPhase } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import { BORDER, CONTRARY, CORNER_AT_END, CORNER_AT_START, CREASE, DRAWN_WHOLE, MATERIAL_BORDER } from './edgeFlags.js';
 
 /** The mesh that is searched for feature edges. */
 export interface FeatureSurface {
@@ -66,10 +74,8 @@ export function* findFeatureEdges(
   const corners: number[] = [];
   const kinds: number[] = [];
   const creaseCosine = limits.featureAngle === null ? null : Math.cos(limits.featureAngle) + COSINE_TOLERANCE;
-  yield* asPhase(
-    forEachChunk(mesh.indices.length, (start, end) => collectRange(surface, creaseCosine, corners, kinds, start, end)),
-    0,
-    0.7,
+  yield* chunkPhase(mesh.indices.length, 0, 0.7, (start, end) =>
+    collectRange(surface, creaseCosine, corners, kinds, start, end),
   );
   yield* asPhase(dropShortCreases(surface, corners, kinds, limits.creaseLength), 0.7, 0.85);
 

@@ -1,6 +1,6 @@
 import { cosineBetween } from '../computeAreaNormals.js';
 import { nextCorner, triangleOf } from '../corners.js';
-import { asPhase, forEachChunk } from '../phases.js';
+import { chunkPhase } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 
 /** Least mean length of the edges of a coarse mesh, as a share of the bounding radius. */
@@ -21,18 +21,10 @@ export function* isCoarse(
   radius: number,
 ): Generator<number, boolean, void> {
   const sums: EdgeSums = { count: 0, length: 0, turned: 0 };
-  yield* asPhase(
-    forEachChunk(twins.length, (start, end) => addLengths(mesh, twins, sums, start, end)),
-    0,
-    0.5,
-  );
+  yield* chunkPhase(twins.length, 0, 0.5, (start, end) => addLengths(mesh, twins, sums, start, end));
   // Angles are not measured on meshes with short edges, which most are.
   if (!(sums.length > LONG_EDGE * radius * sums.count)) return false;
-  yield* asPhase(
-    forEachChunk(twins.length, (start, end) => addAngles(mesh, twins, areaNormals, sums, start, end)),
-    0.5,
-    1,
-  );
+  yield* chunkPhase(twins.length, 0.5, 1, (start, end) => addAngles(mesh, twins, areaNormals, sums, start, end));
   return sums.turned > WIDE_ANGLE * sums.length;
 }
 

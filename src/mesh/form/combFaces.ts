@@ -1,6 +1,6 @@
 import { NO_TWIN, triangleOf } from '../corners.js';
 import { disjointSets, join, rootOf } from '../disjointSets.js';
-import { asPhase, forEachChunk } from '../phases.js';
+import { asPhase, chunkPhase, forEachChunk } from '../phases.js';
 import type { FormSurface } from './FormSurface.js';
 
 /** A sign for each face, 1 or −1, and for each edge 1 where the surface is cut. */
@@ -27,11 +27,7 @@ export function* combFaces(
   const edges = yield* asPhase(nearestLast(twins, fans.ofCorner, distances), 0.2, 0.4);
   const cut = new Uint8Array(twins.length);
   const sets = disjointSets(twins.length / 3);
-  yield* asPhase(
-    forEachChunk(edges.length, (start, end) => crossRange(twins, edges, sets, cut, start, end)),
-    0.4,
-    0.8,
-  );
+  yield* chunkPhase(edges.length, 0.4, 0.8, (start, end) => crossRange(twins, edges, sets, cut, start, end));
   const flip = yield* asPhase(spreadSigns(twins, signs, cut), 0.8, 1);
   return { flip, cut };
 }
@@ -82,17 +78,13 @@ function* nearestLast(
   for (let fan = 0; fan < distances.length; fan++) most = Math.max(most, distances[fan]);
   // The edges whose ends lie `farness` from the ends of the cut are at starts[2·most − farness] and after.
   const starts = new Uint32Array(2 * most + 2);
-  yield* asPhase(
-    forEachChunk(twins.length, (start, end) => countRange(twins, ofCorner, distances, most, starts, start, end)),
-    0,
-    0.4,
+  yield* chunkPhase(twins.length, 0, 0.4, (start, end) =>
+    countRange(twins, ofCorner, distances, most, starts, start, end),
   );
   for (let i = 1; i < starts.length; i++) starts[i] += starts[i - 1];
   const edges = new Uint32Array(starts[starts.length - 1]);
-  yield* asPhase(
-    forEachChunk(twins.length, (start, end) => sortRange(twins, ofCorner, distances, most, starts, edges, start, end)),
-    0.4,
-    1,
+  yield* chunkPhase(twins.length, 0.4, 1, (start, end) =>
+    sortRange(twins, ofCorner, distances, most, starts, edges, start, end),
   );
   return edges;
 }

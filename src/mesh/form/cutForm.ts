@@ -1,6 +1,6 @@
 import { NO_TWIN, nextCorner, previousCorner, triangleOf } from '../corners.js';
-import { buildFans, type Fans } from '../normals/buildFans.js';
-import { asPhase, forEachChunk } from '../phases.js';
+import { buildFans, type Fans } from '../normals/fans.js';
+import { asPhase, chunkPhase } from '../phases.js';
 import { combFaces } from './combFaces.js';
 import type { FaceDirections } from './directions/faceDirections.js';
 import type { FormSurface } from './FormSurface.js';
@@ -46,10 +46,8 @@ export function* cutForm(
   const edgeCount = twins.length;
   const signs = new Int8Array(edgeCount).fill(1);
   const turns = new Float32Array(fans.count);
-  yield* asPhase(
-    forEachChunk(edgeCount, (start, end) => turnRange(twins, fans.ofCorner, directions, signs, turns, start, end)),
-    0,
-    0.4,
+  yield* chunkPhase(edgeCount, 0, 0.4, (start, end) =>
+    turnRange(twins, fans.ofCorner, directions, signs, turns, start, end),
   );
   const points = yield* asPhase(classifyFans(twins, fans, signs, turns), 0.4, 0.5);
   const { isSingular, isPuncture, isOpen } = points;
@@ -58,10 +56,8 @@ export function* cutForm(
   const degree = yield* asPhase(trimCut(twins, fans, points, cut), 0.7, 0.8);
   const cutTwins = twins.slice();
   const cutSign = new Int8Array(edgeCount).fill(1);
-  yield* asPhase(
-    forEachChunk(edgeCount, (start, end) => openRange(twins, signs, flip, cut, cutTwins, cutSign, start, end)),
-    0.8,
-    0.9,
+  yield* chunkPhase(edgeCount, 0.8, 0.9, (start, end) =>
+    openRange(twins, signs, flip, cut, cutTwins, cutSign, start, end),
   );
   const wedges = yield* asPhase(buildFans(cutTwins), 0.9, 1);
   return { flip, cut, cutSign, cutTwins, wedges, degree, ...points };
@@ -133,16 +129,8 @@ function* classifyFans(
     isOpen: new Uint8Array(count),
     cornerOf: new Int32Array(count).fill(NO_TWIN),
   };
-  yield* asPhase(
-    forEachChunk(twins.length, (start, end) => visitCorners(twins, ofCorner, signs, points, start, end)),
-    0,
-    0.7,
-  );
-  yield* asPhase(
-    forEachChunk(count, (start, end) => countTurns(turns, points, start, end)),
-    0.7,
-    1,
-  );
+  yield* chunkPhase(twins.length, 0, 0.7, (start, end) => visitCorners(twins, ofCorner, signs, points, start, end));
+  yield* chunkPhase(count, 0.7, 1, (start, end) => countTurns(turns, points, start, end));
   return points;
 }
 
@@ -193,16 +181,8 @@ function* trimCut(
   cut: Uint8Array,
 ): Generator<number, Uint32Array<ArrayBuffer>, void> {
   const degree = new Uint32Array(count);
-  yield* asPhase(
-    forEachChunk(cut.length, (start, end) => countRange(ofCorner, cut, degree, start, end)),
-    0,
-    0.5,
-  );
-  yield* asPhase(
-    forEachChunk(count, (start, end) => trimRange(twins, ofCorner, points, cut, degree, start, end)),
-    0.5,
-    1,
-  );
+  yield* chunkPhase(cut.length, 0, 0.5, (start, end) => countRange(ofCorner, cut, degree, start, end));
+  yield* chunkPhase(count, 0.5, 1, (start, end) => trimRange(twins, ofCorner, points, cut, degree, start, end));
   return degree;
 }
 

@@ -1,5 +1,5 @@
 import { doubleArea } from '../computeAreaNormals.js';
-import { asPhase, forEachChunk } from '../phases.js';
+import { chunkPhase } from '../phases.js';
 import type { FormSeam } from './cutForm.js';
 import type { FormField } from './FormField.js';
 import type { FormSurface } from './FormSurface.js';
@@ -47,31 +47,15 @@ export function* formVertices(
     corners: new Float64Array(6),
     own: new Float64Array(6),
   };
-  yield* asPhase(
-    forEachChunk(cornerCount, (start, end) => valueRange(gradients, relations, phase, start, end)),
-    0,
-    0.2,
-  );
-  yield* asPhase(
-    forEachChunk(cornerCount / 3, (start, end) => addRange(gradients, start, end)),
-    0.2,
-    0.7,
-  );
+  yield* chunkPhase(cornerCount, 0, 0.2, (start, end) => valueRange(gradients, relations, phase, start, end));
+  yield* chunkPhase(cornerCount / 3, 0.2, 0.7, (start, end) => addRange(gradients, start, end));
   const turns = new Uint8Array(wedges.count);
-  yield* asPhase(
-    forEachChunk(wedges.count, (start, end) => meanRange(gradients, turns, start, end)),
-    0.7,
-    0.8,
-  );
+  yield* chunkPhase(wedges.count, 0.7, 0.8, (start, end) => meanRange(gradients, turns, start, end));
   const ofCorner = wedges.ofCorner.slice();
   let count = wedges.count;
-  yield* asPhase(
-    forEachChunk(cornerCount, (start, end) => {
-      count = separateRange(gradients, turns, ofCorner, count, start, end);
-    }),
-    0.8,
-    0.9,
-  );
+  yield* chunkPhase(cornerCount, 0.8, 0.9, (start, end) => {
+    count = separateRange(gradients, turns, ofCorner, count, start, end);
+  });
   const field: FormField = {
     count,
     ofCorner,
@@ -81,11 +65,7 @@ export function* formVertices(
     radius: surface.radius,
     statistics: { singularPoints: singularPoints(seam), addedVertices: count - surface.fans.count },
   };
-  yield* asPhase(
-    forEachChunk(cornerCount / 3, (start, end) => writeRange(gradients, turns, field, start, end)),
-    0.9,
-    1,
-  );
+  yield* chunkPhase(cornerCount / 3, 0.9, 1, (start, end) => writeRange(gradients, turns, field, start, end));
   return field;
 }
 

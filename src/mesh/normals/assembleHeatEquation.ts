@@ -1,9 +1,8 @@
 import { doubleArea } from '../computeAreaNormals.js';
 import { NO_TWIN } from '../corners.js';
-import { asPhase, forEachChunk, release } from '../phases.js';
+import { chunkPhase, release } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import type { Fans } from './buildFans.js';
-import type { SortedFans } from './sortFans.js';
+import type { Fans, SortedFans } from './fans.js';
 
 /**
  * The largest cotangent that is used as a weight, that of 5.7°. The larger ones of slivers would force very small steps. All
@@ -50,11 +49,7 @@ export function* assembleHeatEquation(
   const { ofCorner, count } = surface.fans;
   const triangleCount = ofCorner.length / 3;
   const cotangents = new Float32Array(ofCorner.length);
-  yield* asPhase(
-    forEachChunk(triangleCount, (start, end) => cotangentRange(surface, cotangents, start, end)),
-    0,
-    0.4,
-  );
+  yield* chunkPhase(triangleCount, 0, 0.4, (start, end) => cotangentRange(surface, cotangents, start, end));
   const starts = sizes;
   let edgeCount = 0;
   for (let fan = 0; fan <= count; fan++) {
@@ -68,10 +63,8 @@ export function* assembleHeatEquation(
     masses,
     degrees: new Float64Array(count),
   };
-  yield* asPhase(
-    forEachChunk(triangleCount, (start, end) => scatterRange(surface, numbers, cotangents, heat, start, end)),
-    0.4,
-    1,
+  yield* chunkPhase(triangleCount, 0.4, 1, (start, end) =>
+    scatterRange(surface, numbers, cotangents, heat, start, end),
   );
   release(cotangents);
   return heat;

@@ -1,5 +1,6 @@
-import { asPhase, forEachChunk } from '../phases.js';
-import type { Fans } from './buildFans.js';
+import { asPhase, chunkPhase, release } from '../phases.js';
+import type { FanSurface } from './assembleHeatEquation.js';
+import type { Fans, SortedFans } from './fans.js';
 
 /** A unit normal per fan: x, y, z in the order of the fans. */
 export interface FanNormals {
@@ -13,10 +14,8 @@ export function* computeSmoothNormals(
   fans: Fans,
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const sums = new Float64Array(3 * fans.count);
-  yield* asPhase(
-    forEachChunk(fans.ofCorner.length, (start, end) => sumRange(areaNormals, fans.ofCorner, sums, start, end)),
-    0,
-    0.6,
+  yield* chunkPhase(fans.ofCorner.length, 0, 0.6, (start, end) =>
+    sumRange(areaNormals, fans.ofCorner, sums, start, end),
   );
   return yield* asPhase(fanDirections(sums, areaNormals, fans), 0.6, 1);
 }
@@ -48,19 +47,13 @@ export function* fanDirections(
 ): Generator<number, Float32Array<ArrayBuffer>, void> {
   const directions = new Float32Array(3 * count);
   let zeros = 0;
-  yield* asPhase(
-    forEachChunk(count, (start, end) => {
-      zeros += directRange(vectors, directions, start, end);
-    }),
-    0,
-    0.5,
-  );
+  yield* chunkPhase(count, 0, 0.5, (start, end) => {
+    zeros += directRange(vectors, directions, start, end);
+  });
   // Few fans, and mostly none, have no direction.
   if (zeros > 0) {
-    yield* asPhase(
-      forEachChunk(ofCorner.length, (start, end) => replaceRange(areaNormals, ofCorner, directions, start, end)),
-      0.5,
-      1,
+    yield* chunkPhase(ofCorner.length, 0.5, 1, (start, end) =>
+      replaceRange(areaNormals, ofCorner, directions, start, end),
     );
   }
   return directions;
@@ -104,4 +97,63 @@ function writeNormalized(source: Float32Array | Float64Array, from: number, targ
   target[to + 1] = y / length;
   target[to + 2] = z / length;
   return true;
+}
+
+/** The result of `meanNormals`. */
+interface MeanNormals {
+  /** For each fan the mean of the normals of its triangles, weighted by area: three floats. Not of unit length. */
+  normals: Float32Array<ArrayBuffer>;
+  /** For each fan a third of the area of its triangles. */
+  masses: Float64Array<ArrayBuffer>;
+}
+
+/** Computes the mean normal and the mass of each sorted fan. */
+export function* meanNormals(
+  { fans, areaNormals }: Pick<FanSurface, 'fans' | 'areaNormals'>,
+  { numbers }: Pick<SortedFans, 'numbers'>,
+): Generator<number, MeanNormals, void> {
+  const sums = new Float64Array(3 * fans.count);
+  const masses = new Float64Array(fans.count);
+  yield* chunkPhase(areaNormals.length / 3, 0, 0.5, (start, end) =>
+    sumNormalsRange(areaNormals, fans.ofCorner, numbers, sums, masses, start, end),
+  );
+  const normals = new Float32Array(3 * fans.count);
+  yield* chunkPhase(fans.count, 0.5, 1, (start, end) => meanRange(sums, masses, normals, start, end));
+  release(sums);
+  return { normals, masses };
+}
+
+/** Adds the normals and masses of a range of triangles to those of their fans. */
+function sumNormalsRange(
+  areaNormals: Float64Array,
+  ofCorner: Uint32Array,
+  numbers: Uint32Array,
+  sums: Float64Array,
+  masses: Float64Array,
+  start: number,
+  end: number,
+): void {
+  for (let first = 3 * start; first < 3 * end; first += 3) {
+    // This makes the length a third of the area, since area normals are twice the area long.
+    const x = areaNormals[first] / 6;
+    const y = areaNormals[first + 1] / 6;
+    const z = areaNormals[first + 2] / 6;
+    const mass = Math.sqrt(x * x + y * y + z * z);
+    for (let corner = first; corner < first + 3; corner++) {
+      const fan = numbers[ofCorner[corner]];
+      masses[fan] += mass;
+      sums[3 * fan] += x;
+      sums[3 * fan + 1] += y;
+      sums[3 * fan + 2] += z;
+    }
+  }
+}
+
+function meanRange(sums: Float64Array, masses: Float64Array, means: Float32Array, start: number, end: number): void {
+  for (let fan = start; fan < end; fan++) {
+    const mass = masses[fan] || 1;
+    means[3 * fan] = sums[3 * fan] / mass;
+    means[3 * fan + 1] = sums[3 * fan + 1] / mass;
+    means[3 * fan + 2] = sums[3 * fan + 2] / mass;
+  }
 }

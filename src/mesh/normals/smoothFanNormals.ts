@@ -1,9 +1,9 @@
 import { asPhase, forEachChunk, release } from '../phases.js';
 import { assembleHeatEquation, type FanSurface, type HeatEquation } from './assembleHeatEquation.js';
 import { diffuse, isFar } from './diffuse.js';
+import { meanNormals } from './fanNormals.js';
+import { sortFans } from './fans.js';
 import { highestRate } from './heatFlow.js';
-import { meanNormals } from './meanNormals.js';
-import { sortFans } from './sortFans.js';
 
 /**
  * Smooths normals at the scale of each of `radii`, in object units. The mean normal of each fan diffuses over the surface like

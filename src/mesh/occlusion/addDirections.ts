@@ -1,9 +1,8 @@
-import { asPhase, forEachChunk } from '../phases.js';
-import { createDepthMaps, type DepthMaps, drawDepths, mapAxes, type Projection, projectionOf } from './depthMaps.js';
+import { asPhase, chunkPhase, forEachChunk } from '../phases.js';
 import { MAP_SIZE, NO_SAMPLE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
 
 /** The result of `addDirections`. */
-export interface OcclusionResult {
+interface OcclusionResult {
   scene: OcclusionScene;
   /** For each mesh with normals, the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it). */
   occlusions: Int16Array<ArrayBuffer>[];
@@ -13,7 +12,7 @@ export interface OcclusionResult {
 const ONE = 0x7fff;
 
 /** The input of `addDirections`. */
-export interface DirectionRequest {
+interface DirectionRequest {
   scene: OcclusionScene;
   /** The numbers of the pairs of opposite directions to add. */
   pairs: readonly number[];
@@ -40,10 +39,8 @@ export function* addDirections({
     const from = step / steps;
     const to = (step + 1) / steps;
     yield* asPhase(drawDepths(maps, scene, projection), from, (from + to) / 2);
-    yield* asPhase(
-      forEachChunk(view.samples.length, (start, end) => lookUp(maps, scene, view, projection, start, end)),
-      (from + to) / 2,
-      to,
+    yield* chunkPhase(view.samples.length, (from + to) / 2, to, (start, end) =>
+      lookUp(maps, scene, view, projection, start, end),
     );
   }
   return { scene, occlusions: scene.sampleOf.map((sampleOf) => occlusionsOf(scene.sums, sampleOf)) };
@@ -83,4 +80,156 @@ function occlusionsOf(sums: Float32Array, sampleOf: Uint32Array): Int16Array<Arr
     if (above > 0) occlusions[vertex] = Math.round(ONE * (1 - sums[2 * sample + 1] / above));
   }
   return occlusions;
+}
+
+/** The axes of a depth map: unit vectors, orthogonal. `right` and `up` span the map, `towards` points at the first sky. */
+interface MapAxes {
+  right: Vector;
+  up: Vector;
+  towards: Vector;
+}
+
+type Vector = [x: number, y: number, z: number];
+
+// The generalised golden ratio in three dimensions (Martin Roberts, "The unreasonable effectiveness of quasirandom sequences",
+// 2018). Any beginning of the sequence is evenly distributed, so a bake may stop or continue after any number of directions.
+const RATIO = 1.2207440846057596;
+
+/**
+ * The axes for direction number `index` in an even distribution over the upper half of the sphere. Each map is rotated about its
+ * direction by a different angle, so that the pixel grids of no two maps coincide.
+ */
+export function mapAxes(index: number): MapAxes {
+  const height = fraction(0.5 + (index + 1) / RATIO);
+  const longitude = 2 * Math.PI * fraction(0.5 + (index + 1) / RATIO ** 2);
+  const roll = 2 * Math.PI * fraction(0.5 + (index + 1) / RATIO ** 3);
+  const radius = Math.sqrt(1 - height * height);
+  const towards: Vector = [radius * Math.cos(longitude), height, radius * Math.sin(longitude)];
+  const level: Vector = [-Math.sin(longitude), 0, Math.cos(longitude)];
+  const steep = cross(towards, level);
+  const cosine = Math.cos(roll);
+  const sine = Math.sin(roll);
+  const right = level.map((value, i) => cosine * value + sine * steep[i]) as Vector;
+  return { right, up: cross(towards, right), towards };
+}
+
+const fraction = (x: number): number => x - Math.floor(x);
+
+const cross = ([a, b, c]: Vector, [x, y, z]: Vector): Vector => [b * z - c * y, c * x - a * z, a * y - b * x];
+
+/** The depth maps of a pair of opposite directions. Depth grows towards the first of the two skies. */
+interface DepthMaps {
+  /** The greatest depth at the middle of each pixel, as seen from the first sky; −∞ where there is nothing. */
+  highest: Float32Array;
+  /** The least depth at the middle of each pixel, as seen from the opposite sky; ∞ where there is nothing. */
+  lowest: Float32Array;
+  /** x, y in pixels and depth of each vertex. */
+  projected: Float32Array;
+}
+
+/** Creates depth maps for a scene with this number of vertices. */
+
+const createDepthMaps = (vertices: number): DepthMaps => ({
+  highest: new Float32Array(MAP_SIZE * MAP_SIZE),
+  lowest: new Float32Array(MAP_SIZE * MAP_SIZE),
+  projected: new Float32Array(3 * vertices),
+});
+
+/** A matrix with three rows of four, which maps points to pixels and depth. */
+type Projection = Float64Array;
+
+/** The projection of a view along an axis, with x, y in pixels and depth in world units. */
+function projectionOf({ right, up, towards }: MapAxes, { center, radius }: OcclusionView): Projection {
+  const pixels = MAP_SIZE / (2 * radius);
+  const rows = [right.map((x) => pixels * x), up.map((x) => pixels * x), towards];
+  return Float64Array.from(
+    rows.flatMap((row, i) => {
+      const atCenter = row[0] * center[0] + row[1] * center[1] + row[2] * center[2];
+      return [...row, (i < 2 ? MAP_SIZE / 2 : 0) - atCenter];
+    }),
+  );
+}
+
+/** Rasterizes all triangles, whether seen from the front or the back, for both skies at once. */
+function* drawDepths(
+  maps: DepthMaps,
+  { positions, indices }: OcclusionScene,
+  projection: Projection,
+): Generator<number, void, void> {
+  maps.highest.fill(-Infinity);
+  maps.lowest.fill(Infinity);
+  yield* forEachChunk(positions.length / 3, (start, end) => project(positions, maps.projected, projection, start, end));
+  yield* forEachChunk(indices.length / 3, (start, end) => drawTriangles(maps, indices, start, end));
+}
+
+function project(points: Float32Array, projected: Float32Array, p: Projection, start: number, end: number): void {
+  for (let i = 3 * start; i < 3 * end; i += 3) {
+    const x = points[i];
+    const y = points[i + 1];
+    const z = points[i + 2];
+    projected[i] = p[0] * x + p[1] * y + p[2] * z + p[3];
+    projected[i + 1] = p[4] * x + p[5] * y + p[6] * z + p[7];
+    projected[i + 2] = p[8] * x + p[9] * y + p[10] * z + p[11];
+  }
+}
+
+/** Pixels on an edge belong to both triangles, so that rounding leaves no gap. */
+const EDGE = -1e-5;
+
+function drawTriangles(
+  { highest, lowest, projected }: DepthMaps,
+  indices: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  const size = MAP_SIZE;
+  const last = size - 1;
+  for (let corner = 3 * start; corner < 3 * end; corner += 3) {
+    const a = 3 * indices[corner];
+    const b = 3 * indices[corner + 1];
+    const c = 3 * indices[corner + 2];
+    const ax = projected[a];
+    const ay = projected[a + 1];
+    const bx = projected[b] - ax;
+    const by = projected[b + 1] - ay;
+    const cx = projected[c] - ax;
+    const cy = projected[c + 1] - ay;
+    const left = Math.max(0, Math.ceil(ax + Math.min(0, bx, cx) - 0.5));
+    const right = Math.min(last, Math.floor(ax + Math.max(0, bx, cx) - 0.5));
+    if (!(left <= right)) continue;
+    const bottom = Math.max(0, Math.ceil(ay + Math.min(0, by, cy) - 0.5));
+    const top = Math.min(last, Math.floor(ay + Math.max(0, by, cy) - 0.5));
+    if (!(bottom <= top)) continue;
+    const area = bx * cy - by * cx;
+    if (area === 0) continue;
+    // The barycentric weights of b and c at the middle of the first pixel, and how they change to the right and upwards.
+    const perArea = 1 / area;
+    const rightB = cy * perArea;
+    const rightC = -by * perArea;
+    const upB = -cx * perArea;
+    const upC = bx * perArea;
+    const px = left + 0.5 - ax;
+    const py = bottom + 0.5 - ay;
+    let rowB = px * rightB + py * upB;
+    let rowC = px * rightC + py * upC;
+    const az = projected[a + 2];
+    const bz = projected[b + 2] - az;
+    const cz = projected[c + 2] - az;
+    const width = right - left;
+    for (let row = bottom * size + left; row <= top * size + left; row += size) {
+      let shareB = rowB;
+      let shareC = rowC;
+      for (let pixel = row; pixel <= row + width; pixel++) {
+        if (shareB >= EDGE && shareC >= EDGE && shareB + shareC <= 1 - EDGE) {
+          const depth = az + shareB * bz + shareC * cz;
+          if (depth > highest[pixel]) highest[pixel] = depth;
+          if (depth < lowest[pixel]) lowest[pixel] = depth;
+        }
+        shareB += rightB;
+        shareC += rightC;
+      }
+      rowB += upB;
+      rowC += upC;
+    }
+  }
 }

@@ -1,7 +1,6 @@
-import { asPhase } from '../phases.js';
-import { chooseViews } from './chooseViews.js';
-import { MAP_SIZE, NO_SAMPLE, type OcclusionMesh, type OcclusionScene } from './OcclusionScene.js';
-import { type OcclusionSurface, sampleSurface } from './sampleSurface.js';
+import { asPhase, chunkPhase } from '../phases.js';
+import { weldPositions } from '../weldPositions.js';
+import { MAP_SIZE, NO_SAMPLE, type OcclusionMesh, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
 
 /**
  * Lift of samples off their surface along the normal, in pixels. A map holds the depth at the middle of a pixel, which is at most 0.71
@@ -77,4 +76,217 @@ function joinedIndices(parts: readonly [indices: Uint32Array, vertices: number][
     return moved;
   });
   return joined<Uint32Array<ArrayBuffer>>(Uint32Array, shifted);
+}
+
+/** The share of the samples that count as the bulk of the scene. */
+const BULK = 0.98;
+/** Samples that lie this many times farther out than the bulk get depth maps of their own. */
+const FARTHER = 1.5;
+/** The radius of a view is this many times the distance of its farthest sample, which leaves a margin in the map. */
+const MARGIN = 1.02;
+
+/**
+ * Chooses one view around all samples, or two: if a few samples lie far out, such as the corners of a wide ground, they get a
+ * view of their own, so that the bulk of the scene is measured at a finer resolution.
+ *
+ * @param positions x, y, z of each sample
+ */
+function chooseViews(positions: Float32Array): OcclusionView[] {
+  const count = positions.length / 3;
+  const center = [0, 1, 2].map((axis) => {
+    const along = new Float32Array(count);
+    for (let i = 0; i < count; i++) along[i] = positions[3 * i + axis];
+    along.sort();
+    const end = count - 1;
+    // The middle of the bulk, regardless of a few samples far out.
+    return (along[Math.round((1 - BULK) * end)] + along[Math.round(BULK * end)]) / 2;
+  }) as OcclusionView['center'];
+  const distances = new Float32Array(count);
+  for (let i = 0; i < count; i++) {
+    distances[i] = Math.hypot(
+      positions[3 * i] - center[0],
+      positions[3 * i + 1] - center[1],
+      positions[3 * i + 2] - center[2],
+    );
+  }
+  const sorted = distances.slice().sort();
+  const limit = FARTHER * sorted[Math.round(BULK * (count - 1))];
+  const near = sorted.findLast((distance) => distance <= limit) ?? 0;
+  const view = (reach: number, isIn: (distance: number) => boolean): OcclusionView => ({
+    center,
+    radius: MARGIN * reach || 1,
+    samples: Uint32Array.from(distances.keys()).filter((i) => isIn(distances[i])),
+  });
+  const far = sorted[count - 1];
+  if (far === near) return [view(far, () => true)];
+  return [view(near, (distance) => distance <= near), view(far, (distance) => distance > near)];
+}
+
+/** A mesh in world space that has every position only once. */
+interface OcclusionSurface {
+  positions: Float32Array<ArrayBuffer>;
+  indices: Uint32Array<ArrayBuffer>;
+  samples: SurfaceSamples | null;
+}
+
+/** The samples of a mesh: every pair of position and normal among its vertices, without repetition. */
+interface SurfaceSamples {
+  positions: Float32Array<ArrayBuffer>;
+  normals: Float32Array<ArrayBuffer>;
+  /** A tangent vector that points away from the border: of length 1 at a straight border, near 0 in the interior. */
+  inward: Float32Array<ArrayBuffer>;
+  /** For each vertex its sample, or NO_SAMPLE. */
+  sampleOf: Uint32Array<ArrayBuffer>;
+}
+
+/** Welds vertices at the same position, since geometries prepared for hatching may have three vertices per triangle. */
+function* sampleSurface(mesh: OcclusionMesh): Generator<number, OcclusionSurface, void> {
+  const { indices, normals, toWorld, isInsideOut } = mesh;
+  const { canonical } = yield* asPhase(weldPositions(mesh.positions), 0, 0.3);
+  const places = numbered(canonical, indices);
+  const surface = {
+    positions: toWorldPoints(pick(mesh.positions, places.firsts), toWorld),
+    indices: indices.map((vertex) => places.numbers[vertex]),
+  };
+  yield 0.4;
+  if (normals === null) return { ...surface, samples: null };
+
+  const turned = yield* asPhase(weldPositions(normals), 0.4, 0.6);
+  const pairs = new Uint32Array(normals.length);
+  for (let vertex = 0; vertex < canonical.length; vertex++) {
+    pairs[3 * vertex] = canonical[vertex];
+    pairs[3 * vertex + 1] = turned.canonical[vertex];
+  }
+  // Vertices with equal pairs are welded too: only bits are compared, so integers may stand in for floats.
+  const both = yield* asPhase(weldPositions(new Float32Array(pairs.buffer)), 0.6, 0.8);
+  const { firsts, numbers } = numbered(both.canonical, indices);
+  const samples = {
+    positions: toWorldPoints(pick(mesh.positions, firsts), toWorld),
+    normals: toWorldNormals(pick(normals, firsts), toWorld, isInsideOut ? -1 : 1),
+    inward: new Float32Array(3 * firsts.length),
+    sampleOf: numbers,
+  };
+  yield* chunkPhase(indices.length / 3, 0.8, 1, (start, end) => addInward(samples, indices, start, end));
+  limitInward(samples);
+  return { ...surface, samples };
+}
+
+/**
+ * Numbers the canonical vertices that triangles use, from 0 on.
+ *
+ * @returns for each vertex its number or NO_SAMPLE, and for each number its canonical vertex
+ */
+function numbered(canonical: Uint32Array, indices: Uint32Array) {
+  const numbers = new Uint32Array(canonical.length).fill(NO_SAMPLE);
+  const firsts = new Uint32Array(canonical.length);
+  let count = 0;
+  for (const vertex of indices) {
+    const first = canonical[vertex];
+    if (numbers[first] === NO_SAMPLE) {
+      firsts[count] = first;
+      numbers[first] = count++;
+    }
+    numbers[vertex] = numbers[first];
+  }
+  return { numbers, firsts: firsts.subarray(0, count) };
+}
+
+function pick(triples: Float32Array, vertices: Uint32Array): Float32Array {
+  const picked = new Float32Array(3 * vertices.length);
+  for (let i = 0; i < vertices.length; i++) {
+    picked[3 * i] = triples[3 * vertices[i]];
+    picked[3 * i + 1] = triples[3 * vertices[i] + 1];
+    picked[3 * i + 2] = triples[3 * vertices[i] + 2];
+  }
+  return picked;
+}
+
+/** Adds up the unit vectors from each sample to the middles of its triangles. */
+function addInward({ positions, inward, sampleOf }: SurfaceSamples, indices: Uint32Array, start: number, end: number) {
+  for (let corner = 3 * start; corner < 3 * end; corner += 3) {
+    const a = 3 * sampleOf[indices[corner]];
+    const b = 3 * sampleOf[indices[corner + 1]];
+    const c = 3 * sampleOf[indices[corner + 2]];
+    const x = (positions[a] + positions[b] + positions[c]) / 3;
+    const y = (positions[a + 1] + positions[b + 1] + positions[c + 1]) / 3;
+    const z = (positions[a + 2] + positions[b + 2] + positions[c + 2]) / 3;
+    for (let k = 0; k < 3; k++) {
+      const sample = k === 0 ? a : k === 1 ? b : c;
+      const u = x - positions[sample];
+      const v = y - positions[sample + 1];
+      const w = z - positions[sample + 2];
+      const length = Math.sqrt(u * u + v * v + w * w);
+      if (!(length > 0)) continue;
+      inward[sample] += u / length;
+      inward[sample + 1] += v / length;
+      inward[sample + 2] += w / length;
+    }
+  }
+}
+
+/** Projects each vector into the tangent plane, and shortens it to length 1 if it is longer. */
+function limitInward({ normals, inward }: SurfaceSamples): void {
+  for (let i = 0; i < inward.length; i += 3) {
+    const rise = inward[i] * normals[i] + inward[i + 1] * normals[i + 1] + inward[i + 2] * normals[i + 2];
+    for (let axis = 0; axis < 3; axis++) inward[i + axis] -= rise * normals[i + axis];
+    const length = Math.hypot(inward[i], inward[i + 1], inward[i + 2]);
+    if (length <= 1) continue;
+    for (let axis = 0; axis < 3; axis++) inward[i + axis] /= length;
+  }
+}
+
+/**
+ * Transforms points to world space.
+ *
+ * @param matrix the elements of the matrix, by columns
+ */
+function toWorldPoints(points: Float32Array, matrix: readonly number[]): Float32Array<ArrayBuffer> {
+  const [m0, m1, m2, , m4, m5, m6, , m8, m9, m10, , m12, m13, m14] = matrix;
+  const moved = new Float32Array(points.length);
+  for (let i = 0; i < points.length; i += 3) {
+    const x = points[i];
+    const y = points[i + 1];
+    const z = points[i + 2];
+    moved[i] = m0 * x + m4 * y + m8 * z + m12;
+    moved[i + 1] = m1 * x + m5 * y + m9 * z + m13;
+    moved[i + 2] = m2 * x + m6 * y + m10 * z + m14;
+  }
+  return moved;
+}
+
+/**
+ * Transforms normals to unit normals in world space. A normal without direction becomes zero.
+ *
+ * @param sign −1 reverses the normals
+ */
+function toWorldNormals(normals: Float32Array, matrix: readonly number[], sign: number): Float32Array<ArrayBuffer> {
+  const [a, b, c, , d, e, f, , g, h, i] = matrix;
+  // The cofactors are the inverse transpose times the determinant, of which only the sign matters.
+  const turn = sign * Math.sign(a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e));
+  const cofactors = [
+    e * i - f * h,
+    c * h - b * i,
+    b * f - c * e,
+    f * g - d * i,
+    a * i - c * g,
+    c * d - a * f,
+    d * h - e * g,
+    b * g - a * h,
+    a * e - b * d,
+  ];
+  const turned = new Float32Array(normals.length);
+  for (let k = 0; k < normals.length; k += 3) {
+    const x = normals[k];
+    const y = normals[k + 1];
+    const z = normals[k + 2];
+    const u = cofactors[0] * x + cofactors[1] * y + cofactors[2] * z;
+    const v = cofactors[3] * x + cofactors[4] * y + cofactors[5] * z;
+    const w = cofactors[6] * x + cofactors[7] * y + cofactors[8] * z;
+    const length = Math.hypot(u, v, w);
+    if (!(length > 0 && length < Infinity)) continue;
+    turned[k] = (turn * u) / length;
+    turned[k + 1] = (turn * v) / length;
+    turned[k + 2] = (turn * w) / length;
+  }
+  return turned;
 }

@@ -1,4 +1,4 @@
-import { asPhase, forEachChunk } from '../../mesh/phases.js';
+import { chunkPhase } from '../../mesh/phases.js';
 import { gridValue, otsuThreshold, type PaperGrid } from './PaperGrid.js';
 import type { GreyImage } from './readGrey.js';
 
@@ -23,45 +23,23 @@ export interface Ink {
 export function* findInk(image: GreyImage, grid: PaperGrid): Generator<number, Ink, void> {
   const { width, height } = image;
   const raw = new Float32Array(width * height);
-  yield* asPhase(
-    forEachChunk(raw.length, (start, end) => measureDepths(image, grid, raw, start, end)),
-    0,
-    0.4,
-  );
+  yield* chunkPhase(raw.length, 0, 0.4, (start, end) => measureDepths(image, grid, raw, start, end));
   const softened = new Float32Array(raw.length);
-  yield* asPhase(
-    forEachChunk(raw.length, (start, end) => soften(raw, width, height, softened, start, end)),
-    0.4,
-    0.6,
-  );
+  yield* chunkPhase(raw.length, 0.4, 0.6, (start, end) => soften(raw, width, height, softened, start, end));
   const mask = new Uint8Array(raw.length);
   const histogram = new Uint32Array(BINS);
-  yield* asPhase(
-    forEachChunk(raw.length, (start, end) => countDepths(softened, mask, 0, histogram, start, end)),
-    0.6,
-    0.7,
-  );
+  yield* chunkPhase(raw.length, 0.6, 0.7, (start, end) => countDepths(softened, mask, 0, histogram, start, end));
   const first = ((otsuThreshold(histogram) ?? 0) + 1) / BINS;
-  yield* asPhase(
-    forEachChunk(raw.length, (start, end) => markInk(softened, width, height, mask, () => first, start, end)),
-    0.7,
-    0.8,
+  yield* chunkPhase(raw.length, 0.7, 0.8, (start, end) =>
+    markInk(softened, width, height, mask, () => first, start, end),
   );
   histogram.fill(0);
-  yield* asPhase(
-    forEachChunk(raw.length, (start, end) => countDepths(softened, mask, 1, histogram, start, end)),
-    0.8,
-    0.9,
-  );
+  yield* chunkPhase(raw.length, 0.8, 0.9, (start, end) => countDepths(softened, mask, 1, histogram, start, end));
   // Most ink lies near the edges of strokes, where blur makes it paler.
   const fullDepth = quantile(histogram, 0.8);
   const threshold = (x: number, y: number): number =>
     INK_SHARE * Math.min(fullDepth, 1.1 * gridValue(grid, grid.depth, x, y));
-  yield* asPhase(
-    forEachChunk(raw.length, (start, end) => markInk(softened, width, height, mask, threshold, start, end)),
-    0.9,
-    1,
-  );
+  yield* chunkPhase(raw.length, 0.9, 1, (start, end) => markInk(softened, width, height, mask, threshold, start, end));
   return { width, height, depths: raw, fullDepth, mask };
 }
 

@@ -1,4 +1,4 @@
-import { asPhase, forEachChunk } from '../../mesh/phases.js';
+import { asPhase, chunkPhase } from '../../mesh/phases.js';
 import type { HandStroke, SwatchTone } from '../hand/Hand.js';
 import { directStrokes } from './directStrokes.js';
 import { depthOfLines, findInk, type Ink } from './findInk.js';
@@ -64,13 +64,9 @@ export function* traceStrokesSteps({
   const ink = yield* asPhase(findInk(grey, paper), 0.15, 0.4);
   const distances = yield* asPhase(measureDistances(ink.mask, width, height), 0.4, 0.55);
   let widest = 0;
-  yield* asPhase(
-    forEachChunk(distances.length, (start, end) => {
-      widest = Math.max(widest, greatest(distances, start, end));
-    }),
-    0.55,
-    0.57,
-  );
+  yield* chunkPhase(distances.length, 0.55, 0.57, (start, end) => {
+    widest = Math.max(widest, greatest(distances, start, end));
+  });
   const isBlot = 0.5 * WIDEST_SHARE * Math.min(width, height);
   if (widest > isBlot) dropBlots(ink.mask, distances, width, isBlot);
   const skeleton = ink.mask.slice();

@@ -11,7 +11,6 @@ import {
 import type { OutlineData } from '../../material/geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../../material/outlines/HatchingOutlineMaterial.js';
 import { opacityOf } from '../../material/outlines/surfaceRules.js';
-import { POINT_BITS, POINT_MASK, POINT_WORDS, PRIMITIVE_WORDS, unpackPoints } from '../../mesh/bake/outlineLayout.js';
 import {
   BORDER,
   CONTRARY,
@@ -19,7 +18,12 @@ import {
   CORNER_AT_START,
   CREASE,
   MATERIAL_BORDER,
-} from '../../mesh/features/edgeFlags.js';
+  POINT_BITS,
+  POINT_MASK,
+  POINT_WORDS,
+  PRIMITIVE_WORDS,
+  unpackPoints,
+} from '../../mesh/bake/outlineLayout.js';
 import { asPhase } from '../../mesh/phases.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../outlines/OutlineMesh.js';
 import type { ObjectFading } from '../shading/fading.js';

@@ -58,7 +58,7 @@ export const adjacency: readonly Mutation[] = [
   },
   {
     name: 'windings that contradict each other stay twins',
-    file: 'src/mesh/adjacency/consistentTwins.ts',
+    file: 'src/mesh/adjacency/buildTriangleAdjacency.ts',
     find: 'canonicalCorners[corner] === canonicalCorners[twin]',
     replace: 'canonicalCorners[corner] === twin',
     caughtBy: {

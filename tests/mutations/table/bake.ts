@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const bake: readonly Mutation[] = [
   {
     name: 'the lower half of the octahedron is folded with the wrong sign',
-    file: 'src/mesh/bake/octahedral.ts',
+    file: 'src/mesh/bake/outlineLayout.ts',
     find: '(u < 0 ? -1 : 1)',
     replace: '(v < 0 ? -1 : 1)',
     caughtBy: { layer: 'unit', file: 'tests/unit/mesh/bake/octahedral.test.ts', title: 'is kept to 0.005°' },
@@ -21,14 +21,14 @@ export const bake: readonly Mutation[] = [
   },
   {
     name: 'the vertices across two edges change places',
-    file: 'src/mesh/bake/packCorners.ts',
+    file: 'src/mesh/bake/bakeCorners.ts',
     find: 'copyPosition(vertices, beta, corners, target + 10)',
     replace: 'copyPosition(vertices, beta, corners, target + 11)',
     caughtBy: { layer: 'unit', file: 'tests/unit/mesh/bake/bakeCorners.test.ts', title: 'a fold of … true' },
   },
   {
     name: 'corners turn the other way',
-    file: 'src/mesh/bake/packCorners.ts',
+    file: 'src/mesh/bake/bakeCorners.ts',
     find: 'corners[target + 3] = k',
     replace: 'corners[target + 3] = 2 - k',
     caughtBy: {

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const form: readonly Mutation[] = [
   {
     name: 'shapes with a form are drawn by the light',
-    file: 'src/mesh/form/chooseLineField.ts',
+    file: 'src/mesh/form/bakeForm.ts',
     find: "flatShare < FLAT_FACED_SHARE ? 'form' : 'light'",
     replace: "flatShare > FLAT_FACED_SHARE ? 'form' : 'light'",
     caughtBy: {
@@ -14,7 +14,7 @@ export const form: readonly Mutation[] = [
   },
   {
     name: 'jumps of both families have one multiple',
-    file: 'src/mesh/form/phase/roundJumps.ts',
+    file: 'src/mesh/form/phase/solvePhase.ts',
     find: 'MULTIPLES = [4, 2]',
     replace: 'MULTIPLES = [4, 4]',
     caughtBy: {
@@ -25,7 +25,7 @@ export const form: readonly Mutation[] = [
   },
   {
     name: 'jumps are rounded one by one',
-    file: 'src/mesh/form/phase/roundJumps.ts',
+    file: 'src/mesh/form/phase/solvePhase.ts',
     find: 'given[i] - jumpForce(part, moves, i) * part.inverses[part.nodes.length + i]',
     replace: 'given[i]',
     caughtBy: {

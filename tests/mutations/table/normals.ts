@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const normals: readonly Mutation[] = [
   {
     name: 'a fan ends at the first border',
-    file: 'src/mesh/normals/buildFans.ts',
+    file: 'src/mesh/normals/fans.ts',
     find: 'twin = twins[previousCorner(twin)];',
     replace: 'break;',
     caughtBy: {
@@ -25,7 +25,7 @@ export const normals: readonly Mutation[] = [
   },
   {
     name: 'an edge without a twin counts for its start alone',
-    file: 'src/mesh/normals/sortFans.ts',
+    file: 'src/mesh/normals/fans.ts',
     find: 'if (twins[corner] === NO_TWIN) sizes[ofCorner[nextCorner(corner)]]++;',
     replace: '',
     caughtBy: {
@@ -36,7 +36,7 @@ export const normals: readonly Mutation[] = [
   },
   {
     name: 'a fan ends where the walk began, not at a border',
-    file: 'src/mesh/normals/buildFans.ts',
+    file: 'src/mesh/normals/fans.ts',
     find: 'corner = twin === NO_TWIN ? first : nextCorner(twin);',
     replace: 'corner = twin === NO_TWIN ? first : previousCorner(twin);',
     caughtBy: {

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const occlusion: readonly Mutation[] = [
   {
     name: 'the corners of a wide ground share the view of the bulk',
-    file: 'src/mesh/occlusion/chooseViews.ts',
+    file: 'src/mesh/occlusion/startOcclusion.ts',
     find: 'FARTHER = 1.5',
     replace: 'FARTHER = 1500',
     caughtBy: {
@@ -25,7 +25,7 @@ export const occlusion: readonly Mutation[] = [
   },
   {
     name: 'mirrored meshes are dark outside',
-    file: 'src/mesh/occlusion/worldSpace.ts',
+    file: 'src/mesh/occlusion/startOcclusion.ts',
     find: 'sign * Math.sign(',
     replace: 'Math.sign(',
     caughtBy: {
@@ -36,7 +36,7 @@ export const occlusion: readonly Mutation[] = [
   },
   {
     name: 'no map is turned about its direction',
-    file: 'src/mesh/occlusion/depthMaps.ts',
+    file: 'src/mesh/occlusion/addDirections.ts',
     find: '2 * Math.PI * fraction(0.5 + (index + 1) / RATIO ** 3)',
     replace: '0',
     caughtBy: {
@@ -47,7 +47,7 @@ export const occlusion: readonly Mutation[] = [
   },
   {
     name: 'directions lie about the horizon',
-    file: 'src/mesh/occlusion/depthMaps.ts',
+    file: 'src/mesh/occlusion/addDirections.ts',
     find: 'const height = fraction(0.5 + (index + 1) / RATIO);',
     replace: 'const height = fraction(0.5 + (index + 1) / RATIO) ** 2;',
     caughtBy: {

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { findNearPositions } from '../../../src/mesh/findNearPositions.js';
+import { findNearPositions } from '../../../src/mesh/adjacency/joinBorders.js';
 import { finish } from './meshes.js';
 import { noise } from './shapes.js';
 

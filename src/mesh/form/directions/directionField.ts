@@ -8,12 +8,11 @@ import {
   type Connection,
   cellTransports,
   coarseConnection,
+  tangentFrames,
   weighConnection,
 } from './connection.js';
-import { curvatureLines, type LineTargets, weighTargets } from './curvatureLines.js';
-import { prominence } from './prominence.js';
+import { curvatureLines, type LineTargets, prominence, weighTargets } from './curvatureLines.js';
 import { type Precision, solveConnection } from './solveConnection.js';
-import { tangentFrames } from './tangentFrames.js';
 
 /** A field of lines on the fans of a surface. */
 export interface DirectionField {

@@ -1,7 +1,7 @@
 import { forEachChunk } from '../../phases.js';
 import type { FormSurface } from '../FormSurface.js';
+import { FRAME_FLOATS } from './connection.js';
 import type { DirectionField } from './directionField.js';
-import { FRAME_FLOATS } from './tangentFrames.js';
 
 /** A direction per face. Its sign means nothing until `cutForm` has combed the faces. */
 export interface FaceDirections {

@@ -1,7 +1,7 @@
 import type { Graph } from '../../adjacency/cells.js';
 import { doubleArea } from '../../computeAreaNormals.js';
 import { nextCorner, previousCorner } from '../../corners.js';
-import { asPhase, forEachChunk } from '../../phases.js';
+import { chunkPhase } from '../../phases.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FormSurface } from '../FormSurface.js';
 import { NO_OFFSET, type SeamRelations } from './seamRelations.js';
@@ -50,10 +50,8 @@ export function* phaseMatrix(
   const { twins, fans, heat } = surface;
   const shares = new Float32Array(twins.length / 3);
   const cotangents = new Float32Array(twins.length);
-  yield* asPhase(
-    forEachChunk(shares.length, (start, end) => cotangentRange(surface, seam, shares, cotangents, start, end)),
-    0,
-    0.4,
+  yield* chunkPhase(shares.length, 0, 0.4, (start, end) =>
+    cotangentRange(surface, seam, shares, cotangents, start, end),
   );
   const entryCount = heat.neighbours.length;
   const assembly: Assembly = {
@@ -68,11 +66,7 @@ export function* phaseMatrix(
     walls: new Uint8Array(entryCount),
     seam: { nodes: [], signs: [], offsets: [], weights: [] },
   };
-  yield* asPhase(
-    forEachChunk(twins.length, (start, end) => scatterRange(assembly, start, end)),
-    0.4,
-    1,
-  );
+  yield* chunkPhase(twins.length, 0.4, 1, (start, end) => scatterRange(assembly, start, end));
   const { neighbours, values, diagonal, walls } = assembly;
   // A fan without weight, or at a singular point, keeps the value 0.
   for (let fan = 0; fan < diagonal.length; fan++) if (!(diagonal[fan] > 0)) diagonal[fan] = 1;

@@ -1,5 +1,5 @@
 import { doubleArea } from '../../computeAreaNormals.js';
-import { asPhase, forEachChunk } from '../../phases.js';
+import { chunkPhase } from '../../phases.js';
 import type { FormSeam } from '../cutForm.js';
 import type { FaceDirections } from '../directions/faceDirections.js';
 import type { FormSurface } from '../FormSurface.js';
@@ -47,18 +47,10 @@ export function* phaseSource(
     slopes: new Float32Array(SLOPE_FLOATS * fanCount),
   };
   const turn = { slope, along: slope * Math.cos(crossAngle), across: slope * Math.sin(crossAngle) };
-  yield* asPhase(
-    forEachChunk(shares.length, (start, end) =>
-      addRange(surface, directions, seam, relations, shares, turn, source, counts, start, end),
-    ),
-    0,
-    0.9,
+  yield* chunkPhase(shares.length, 0, 0.9, (start, end) =>
+    addRange(surface, directions, seam, relations, shares, turn, source, counts, start, end),
   );
-  yield* asPhase(
-    forEachChunk(fanCount, (start, end) => meanRange(source.slopes, counts, start, end)),
-    0.9,
-    1,
-  );
+  yield* chunkPhase(fanCount, 0.9, 1, (start, end) => meanRange(source.slopes, counts, start, end));
   return source;
 }
 

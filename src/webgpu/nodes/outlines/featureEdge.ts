@@ -6,7 +6,7 @@ import {
   CORNER_AT_START,
   CREASE,
   MATERIAL_BORDER,
-} from '../../../mesh/features/edgeFlags.js';
+} from '../../../mesh/bake/outlineLayout.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { contours } from './contour.js';

@@ -1,7 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { buildTriangleAdjacency } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
-import { consistentTwins } from '../../../../src/mesh/adjacency/consistentTwins.js';
+import { buildTriangleAdjacency, consistentTwins } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
 import { NO_TWIN, nextCorner } from '../../../../src/mesh/corners.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { book, finish, meshOf } from '../meshes.js';

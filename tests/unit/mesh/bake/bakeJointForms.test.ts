@@ -1,7 +1,6 @@
 import { Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { bakeJointForms, type JointForm } from '../../../../src/mesh/bake/bakeJointForms.js';
-import type { Part } from '../../../../src/mesh/bake/joinParts.js';
+import { bakeJointForms, type JointForm, type Part } from '../../../../src/mesh/bake/bakeJointForms.js';
 import { FORM_DEFAULTS, type FormField } from '../../../../src/mesh/form/FormField.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { formOf } from '../form/phases.js';

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { octahedral } from '../../../../src/mesh/bake/octahedral.js';
+import { octahedral } from '../../../../src/mesh/bake/outlineLayout.js';
 
 type Row = readonly number[];
 

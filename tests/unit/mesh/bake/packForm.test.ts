@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { packForm } from '../../../../src/mesh/bake/packForm.js';
+import { packForm } from '../../../../src/mesh/bake/packAttributes.js';
 import { NO_CORNER, splitVertices } from '../../../../src/mesh/bake/splitVertices.js';
 import { computeAreaNormals } from '../../../../src/mesh/computeAreaNormals.js';
 import type { FormField } from '../../../../src/mesh/form/FormField.js';

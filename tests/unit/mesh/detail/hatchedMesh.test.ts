@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { hatchedMesh } from '../../../../src/mesh/detail/hatchedMesh.js';
+import { hatchedMesh } from '../../../../src/mesh/detail/simplifyHatched.js';
 import { finish } from '../meshes.js';
 
 test('normals, coordinates of maps, colours and lines of the form stand side by side, with weights in object units', () => {

@@ -9,7 +9,7 @@ import {
   CREASE,
   IS_EDGE,
   MATERIAL_BORDER,
-} from '../../../../src/mesh/features/edgeFlags.js';
+} from '../../../../src/mesh/bake/outlineLayout.js';
 import {
   type CreaseLimits,
   type FeatureEdges,

@@ -1,11 +1,10 @@
 import type { BufferGeometry } from 'three';
-import { buildTriangleAdjacency } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
-import { consistentTwins } from '../../../../src/mesh/adjacency/consistentTwins.js';
+import { buildTriangleAdjacency, consistentTwins } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
 import { bakeSurface, type SurfaceRequest } from '../../../../src/mesh/bake/bakeSurface.js';
 import type { FeatureSurface } from '../../../../src/mesh/features/findFeatureEdges.js';
-import { buildFans, type Fans } from '../../../../src/mesh/normals/buildFans.js';
-import { cutSharpEdges } from '../../../../src/mesh/normals/cutSharpEdges.js';
+import { cutSharpEdges } from '../../../../src/mesh/normals/cutCreases.js';
 import { computeSmoothNormals } from '../../../../src/mesh/normals/fanNormals.js';
+import { buildFans, type Fans } from '../../../../src/mesh/normals/fans.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish, meshOf } from '../meshes.js';
 

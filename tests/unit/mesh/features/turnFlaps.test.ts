@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { turnFlaps } from '../../../../src/mesh/features/turnFlaps.js';
+import { turnFlaps } from '../../../../src/mesh/bake/bakeOutlines.js';
 import { finish } from '../meshes.js';
 import { patch } from '../shapes.js';
 

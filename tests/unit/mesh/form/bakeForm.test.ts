@@ -1,7 +1,7 @@
 import { CapsuleGeometry, CylinderGeometry, TorusGeometry, TorusKnotGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { FormField } from '../../../../src/mesh/form/FormField.js';
-import { multiply } from '../../../../src/mesh/form/phase/phaseOperator.js';
+import { multiply } from '../../../../src/mesh/form/phase/PhaseSystem.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { meshFrom, moebius } from '../features/surfaces.js';
 import { book, fan, finish, meshOf } from '../meshes.js';

@@ -2,7 +2,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { BoxGeometry, CapsuleGeometry, CylinderGeometry, TorusKnotGeometry } from 'three';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { describe, expect, test } from 'vitest';
-import { chooseLineField } from '../../../../src/mesh/form/chooseLineField.js';
+import { chooseLineField } from '../../../../src/mesh/form/bakeForm.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { column, gears, landscape, shell, vase } from '../../../../src/playground/models/forms.js';
 import { meshFrom, scaled } from '../features/surfaces.js';

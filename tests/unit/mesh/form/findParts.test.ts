@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { findParts } from '../../../../src/mesh/form/findParts.js';
+import { findParts } from '../../../../src/mesh/form/FormSurface.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { dot } from '../features/surfaces.js';
 import { finish } from '../meshes.js';

@@ -1,5 +1,4 @@
-import { buildTriangleAdjacency } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
-import { consistentTwins } from '../../../../src/mesh/adjacency/consistentTwins.js';
+import { buildTriangleAdjacency, consistentTwins } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
 import { nearnessOf } from '../../../../src/mesh/bake/bakeSurface.js';
 import { NO_TWIN, nextCorner, previousCorner, triangleOf } from '../../../../src/mesh/corners.js';
 import { disjointSets, join, rootOf } from '../../../../src/mesh/disjointSets.js';
@@ -7,11 +6,15 @@ import { cutForm, type FormSeam } from '../../../../src/mesh/form/cutForm.js';
 import { directionField } from '../../../../src/mesh/form/directions/directionField.js';
 import { faceDirections } from '../../../../src/mesh/form/directions/faceDirections.js';
 import { FORM_DEFAULTS, type FormOptions } from '../../../../src/mesh/form/FormField.js';
-import { type FormSurface, formSurface, surfaceWithin } from '../../../../src/mesh/form/FormSurface.js';
-import { findParts } from '../../../../src/mesh/form/findParts.js';
-import { formTwins } from '../../../../src/mesh/form/formTwins.js';
+import {
+  type FormSurface,
+  findParts,
+  formSurface,
+  formTwins,
+  surfaceWithin,
+} from '../../../../src/mesh/form/FormSurface.js';
 import { measureBounds } from '../../../../src/mesh/measureBounds.js';
-import { cutSharpEdges } from '../../../../src/mesh/normals/cutSharpEdges.js';
+import { cutSharpEdges } from '../../../../src/mesh/normals/cutCreases.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { cross, dot } from '../features/surfaces.js';
 import { finish } from '../meshes.js';

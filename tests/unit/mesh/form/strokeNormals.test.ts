@@ -1,6 +1,6 @@
 import { TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
-import { strokeNormals } from '../../../../src/mesh/form/strokeNormals.js';
+import { strokeNormals } from '../../../../src/mesh/form/FormSurface.js';
 import { meshFrom } from '../features/surfaces.js';
 import { finish } from '../meshes.js';
 import { frontOf, twinsOf } from './fronts.js';

@@ -1,9 +1,8 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { buildTriangleAdjacency } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
-import { consistentTwins } from '../../../../src/mesh/adjacency/consistentTwins.js';
+import { buildTriangleAdjacency, consistentTwins } from '../../../../src/mesh/adjacency/buildTriangleAdjacency.js';
 import { NO_TWIN, nextCorner } from '../../../../src/mesh/corners.js';
-import { buildFans } from '../../../../src/mesh/normals/buildFans.js';
+import { buildFans } from '../../../../src/mesh/normals/fans.js';
 import { findPatches } from '../../../../src/mesh/normals/findPatches.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { finish } from '../meshes.js';

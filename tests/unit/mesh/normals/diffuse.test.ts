@@ -2,11 +2,10 @@ import { BufferAttribute, BufferGeometry, IcosahedronGeometry, PlaneGeometry } f
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
 import { assembleHeatEquation, type HeatLevel } from '../../../../src/mesh/normals/assembleHeatEquation.js';
-import { coarsenHeat } from '../../../../src/mesh/normals/coarsenHeat.js';
-import { diffuse, isFar } from '../../../../src/mesh/normals/diffuse.js';
+import { coarsenHeat, diffuse, isFar } from '../../../../src/mesh/normals/diffuse.js';
+import { meanNormals } from '../../../../src/mesh/normals/fanNormals.js';
+import { sortFans } from '../../../../src/mesh/normals/fans.js';
 import { highestRate } from '../../../../src/mesh/normals/heatFlow.js';
-import { meanNormals } from '../../../../src/mesh/normals/meanNormals.js';
-import { sortFans } from '../../../../src/mesh/normals/sortFans.js';
 import { meshFrom, surfaceOf } from '../features/surfaces.js';
 import { finish } from '../meshes.js';
 

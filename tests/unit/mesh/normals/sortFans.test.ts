@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { NO_TWIN, nextCorner } from '../../../../src/mesh/corners.js';
-import { sortFans } from '../../../../src/mesh/normals/sortFans.js';
+import { sortFans } from '../../../../src/mesh/normals/fans.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
 import { surfaceOf } from '../features/surfaces.js';
 import { fan, finish } from '../meshes.js';

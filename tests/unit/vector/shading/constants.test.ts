@@ -10,7 +10,7 @@ import { backgroundShaders } from '../../../../src/material/HatchingBackground.j
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
 import { hatchingShaders } from '../../../../src/material/shaders/hatchingShaders.js';
-import { MULTIPLES } from '../../../../src/mesh/form/phase/roundJumps.js';
+import { MULTIPLES } from '../../../../src/mesh/form/phase/solvePhase.js';
 
 /** Every number that shaders and processor share is in one of these tables, and nowhere else. */
 type Value = number | readonly number[];

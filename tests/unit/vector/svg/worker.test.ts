@@ -1,6 +1,6 @@
 import { TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
-import { runSliced } from '../../../../src/mesh/runSliced.js';
+import { runSliced } from '../../../../src/mesh/phases.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { lineTasks } from '../../../../src/vector/svg/lineTasks.js';
 import type { ToWorker } from '../../../../src/worker/protocol.js';

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { coarsenSeam } from '../../../../../src/mesh/form/phase/coarsenSeam.js';
+import { pullOffsets } from '../../../../../src/mesh/form/phase/PhaseSystem.js';
+import { coarsenSeam } from '../../../../../src/mesh/form/phase/phaseLevels.js';
 import type { SeamEdges } from '../../../../../src/mesh/form/phase/phaseMatrix.js';
-import { pullOffsets } from '../../../../../src/mesh/form/phase/phaseOperator.js';
 import { noise } from '../../shapes.js';
 
 /** The edges of a cut, each from node to node with a sign and an offset (−1: none) at both ends, and a weight. */

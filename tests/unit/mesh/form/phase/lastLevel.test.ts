@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { solveLastPart } from '../../../../../src/mesh/form/phase/lastLevel.js';
+import { solveLastPart } from '../../../../../src/mesh/form/phase/precondition.js';
 import { noise } from '../../shapes.js';
 import { partOf } from './parts.js';
 

@@ -5,12 +5,12 @@ import {
   type PhaseSystem,
   type PhaseVector,
   phaseSystem,
+  pullOffsets,
 } from '../../../../../src/mesh/form/phase/PhaseSystem.js';
 import type { PhaseLevel } from '../../../../../src/mesh/form/phase/phaseLevels.js';
 import type { SeamEdges } from '../../../../../src/mesh/form/phase/phaseMatrix.js';
-import { pullOffsets } from '../../../../../src/mesh/form/phase/phaseOperator.js';
-import { roundJumps, roundParts } from '../../../../../src/mesh/form/phase/roundJumps.js';
 import { NO_OFFSET, type SeamRelations } from '../../../../../src/mesh/form/phase/seamRelations.js';
+import { roundJumps, roundParts } from '../../../../../src/mesh/form/phase/solvePhase.js';
 import { finish } from '../../meshes.js';
 import { partOf } from './parts.js';
 
