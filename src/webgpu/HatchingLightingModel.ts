@@ -88,7 +88,7 @@ export class HatchingLightingModel extends LightingModel {
     this.radiance = float(0).toVar();
     const isRound = smoothstep(PLANE[0], PLANE[1], length(fwidth(normalView)));
     // The tone of a dissolving shadow is the share of the light that it takes.
-    this.plane = this.dissolves ? float(0) : float(1).sub(isRound).toVar();
+    this.plane = this.dissolves ? float(0) : isRound.oneMinus().toVar();
     this.receivedShadows = [];
     const isTold = (this.dissolves || this.choices.shadowStrokes !== 'tone') && hasShadows(builder, this.lights);
     this.sums = isTold ? { shadowed: float(0).toVar(), taken: float(0).toVar(), lost: float(0).toVar() } : null;
@@ -131,15 +131,15 @@ export class HatchingLightingModel extends LightingModel {
     { arriving, luminance, facing }: Record<'arriving' | 'luminance' | 'facing', Value>,
   ): void {
     const { light, shadow, toneLeft } = received;
-    shadowed.addAssign(arriving.mul(float(1).sub(shadow)));
+    shadowed.addAssign(arriving.mul(shadow.oneMinus()));
     if (toneLeft) {
-      const takes = luminance.mul(facing).mul(float(1).sub(shadow)).toVar();
+      const takes = luminance.mul(facing).mul(shadow.oneMinus()).toVar();
       taken.addAssign(takes);
-      lost.addAssign(takes.mul(float(1).sub(toneLeft)));
+      lost.addAssign(takes.mul(toneLeft.oneMinus()));
     }
     let isShadowed: Value | null = null;
     if (this.choices.shadowStrokes === 'reorient') {
-      const isTaken = facing.mul(float(1).sub(shadow.mul(2))).greaterThan(LEAST_RESPONSE);
+      const isTaken = facing.mul(shadow.mul(2).oneMinus()).greaterThan(LEAST_RESPONSE);
       // Beyond the reach of a lamp there is no shadow of it.
       isShadowed = (hasPlace(light) ? isTaken.and(luminance.greaterThan(0)) : isTaken).toVar();
     }

@@ -21,9 +21,10 @@ function sectionsOf(nodes: string): [chunk: string, section: string][] {
   return parts.flatMap((part, i) => (i % 2 === 0 ? [[part, parts[i + 1]]] : []));
 }
 
-const sections = readdirSync(NODES, { recursive: true, encoding: 'utf8' })
+const files = readdirSync(NODES, { recursive: true, encoding: 'utf8' })
   .filter((path) => path.endsWith('.ts'))
-  .flatMap((path) => sectionsOf(readFileSync(`${NODES}/${path}`, 'utf8')));
+  .map((path) => readFileSync(`${NODES}/${path}`, 'utf8'));
+const sections = files.flatMap(sectionsOf);
 const counterparts = new Map(sections);
 const hasCounterpart = (chunk: string): boolean => counterparts.has(chunk);
 
@@ -200,6 +201,17 @@ test('each chunk has a counterpart or a reason', () => {
 
 test.each(REASONS)('some chunks have no counterpart: %s, because %s', (path) => {
   expect(chunks.filter((chunk) => path.test(chunk) && !hasCounterpart(chunk)).length).toBeGreaterThan(0);
+});
+
+test('no chunk has two counterparts', () => {
+  expect(sections.map(([chunk]) => chunk).sort()).toEqual([...counterparts.keys()].sort());
+});
+
+test('nodes read no uniform that no shader declares', () => {
+  const declared = chunks.flatMap((chunk) => uniformsOf(readFileSync(`shaders/${chunk}`, 'utf8')));
+  const strays = files.flatMap(uniformsOfNodes).filter((name) => !declared.includes(name));
+  // They are defines in GLSL, or derived from three.js' own uniforms.
+  expect(unique(strays).sort()).toEqual(['isDeformed', 'isInstanced', 'viewToObject']);
 });
 
 describe.each(chunks.filter(hasCounterpart))('the counterpart of %s', (chunk) => {

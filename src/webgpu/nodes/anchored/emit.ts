@@ -10,22 +10,20 @@ const { attribute, modelViewMatrix, positionLocal, select, varyingProperty, vec3
 
 /** Object space. */
 export const vRestPosition: Value = /* @__PURE__ */ varyingProperty('vec3', 'vRestPosition');
-
 /** At the scale of a stroke, object space. */
 export const vStrokeNormal: Value = /* @__PURE__ */ varyingProperty('vec3', 'vStrokeNormal');
-
 /** Object units to a pixel. */
 export const vUnitsPerPixel: Value = /* @__PURE__ */ varyingProperty('float', 'vUnitsPerPixel');
-
 /** Object space, of any length. */
 export const vToViewer: Value = /* @__PURE__ */ varyingProperty('vec3', 'vToViewer');
-
 /** Gradient of the function along whose level lines strokes run, object space, of any length. */
 export const vFormSlope: Value = /* @__PURE__ */ varyingProperty('vec3', 'vFormSlope');
 
-/** Counterpart of shaders/techniques/anchored/emit.glsl. */
-
-/** @param look whether strokes follow the form, and whether they are anchored to the surface at rest */
+/**
+ * Counterpart of shaders/techniques/anchored/emit.glsl.
+ *
+ * @param look whether strokes follow the form, and whether they are anchored to the surface at rest
+ */
 export function emitAnchored(
   { position, strokeNormal, viewToAnchor, deformedToRest }: Anchor,
   { isOfForm, isAtRest }: { isOfForm: boolean; isAtRest: boolean },

@@ -7,9 +7,8 @@ import type { HatchingParameters } from './read.js';
 
 const { float, max, pow, vec3 } = tsl;
 
-/** Counterpart of shaders/techniques/anchored/layers.glsl. */
+/** Counterpart of shaders/techniques/anchored/layers.glsl: the same place in other layers of strokes. */
 
-/** Tiles between anchors. */
 export const anchorSpacing: Value = /* @__PURE__ */ hatchingUniform('anchorSpacing', 'float');
 
 export const crossingOf = ({ crossing }: HatchingParameters): Value => crossing;
@@ -29,13 +28,10 @@ export function turnedLayer(h: HatchingParameters, layer: number, [x, y]: readon
 
 /** Counterpart of shaders/chunks/hatch.glsl: the darkness of the hatch, of its layers printed over one another. */
 
-/** The tone above which a second layer crosses the first. */
 const crossFrom = /* @__PURE__ */ hatchingUniform('crossFrom', 'float');
-
-/** Cosine and sine of the angle from the first layer to the second, and to the third. */
 const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
 
-const oneMinus = (x: Value): Value => float(1).sub(x).toVar();
+const oneMinus = (x: Value): Value => x.oneMinus().toVar();
 
 /** The darkness of one layer: of strokes or of dots. */
 export type HatchLayer = (h: HatchingParameters, tone: Value) => Value;

@@ -24,23 +24,16 @@ const { OVERLAP_WITHIN, PLANE_FADE, SET_SHIFT } = STIPPLE_CONSTANTS;
 
 /** Counterpart of shaders/techniques/anchored/dots.glsl: the dots of one plane, a disc on the screen for each point of the set. */
 
-/** One texel per cell: the position of its point and, in blue, the part of an octave at which it appears. */
 const stippleMap = /* @__PURE__ */ hatchingTexture('stippleMap', blankDots);
-
-/** Width of the edge of a dot. */
 const edgePixels = /* @__PURE__ */ hatchingUniform('edgePixels', 'float');
 
 /** The greatest distance, in cells, from which a dot reaches a place, and the most cells of a row within that distance. */
 const MOST_REACH = 1.5;
-
 const MOST_CELLS = 4;
-
 /** A disc of radius r whose edge fades over a width of 1 covers π (r² + 1/12). */
 const EDGE_COVER = 1 / 12;
-
 /** A smaller disc would be all edge: it is drawn with this squared radius, and paler. */
 const LEAST_SQUARED_RADIUS = 0.25;
-
 const FADING = 3;
 
 /** How coordinates of a plane change on the screen. */
@@ -73,13 +66,13 @@ const grownBy = (octave: Value, born: Value): Value =>
 /** The total area of discs that together cover a share of the plane, as a share of the plane. From 0.5 on they overlap. */
 function discArea(covered: Value, octave: Value): Value {
   const beyond = max(covered.sub(0.5), 0).toVar();
-  const rest = float(1).sub(octave).toVar();
+  const rest = octave.oneMinus().toVar();
   const overlap = octave.mul(OVERLAP_WITHIN).mul(rest).mul(rest).add(OVERLAP);
   return covered.add(
     overlap
       .mul(beyond)
       .mul(beyond)
-      .mul(inverseSqrt(max(float(1).sub(covered), LEAST_BLANK))),
+      .mul(inverseSqrt(max(covered.oneMinus(), LEAST_BLANK))),
   );
 }
 
@@ -143,19 +136,14 @@ export function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen,
  * its faces, edges and corners.
  */
 
-/** 0: dots spaced on the object, 1: on the screen. */
 const sizedOnScreen = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');
-
-/** Diameter of a dot at half tone. */
 const dotPixels = /* @__PURE__ */ hatchingUniform('dotPixels', 'float');
 
 /** Components of unit vectors along the diagonals of a square and of a cube: 1/√2 and 1/√3. */
 const SQUARE_DIAGONAL = Math.SQRT1_2;
-
 const CUBE_DIAGONAL = 0.57735027;
 
 const largestOf = ({ x, y, z }: Value): Value => max(x, max(y, z));
-
 const signOf = (x: Value): Value => select(x.lessThan(0), -1, 1);
 
 /** The three planes whose axes are nearest to a direction. */
@@ -234,7 +222,7 @@ function dotsAcross(point: Value, axis: Value, cover: Value, onScreen: ScreenMap
   const u = normalize(anyTangent(axis)).toVar();
   const v = cross(axis, u).toVar();
   const plane = planeOnScreen(screenGradient(u, onScreen).toVar(), screenGradient(v, onScreen).toVar());
-  const dense = log2(float(1).sub(max(cover, LEAST_DENSE_SHARE))).negate();
+  const dense = log2(max(cover, LEAST_DENSE_SHARE).oneMinus()).negate();
   const crowding = log2(dense).mul(0.5 * CROWDING);
   const [x, y, z] = SET_SHIFT;
   const shift = vec2(dot(axis, vec3(x, y, z)), dot(axis, vec3(y, z, x))).div(tilesPerUnit);
@@ -247,7 +235,7 @@ export function hatchLayer(h: HatchingParameters, tone: Value, builder: NodeBuil
   const printed = cover.toVar();
   If(cover.greaterThan(0).and(cover.lessThan(1)), () => {
     const viewToAnchor = readViewToAnchor(builder);
-    const blank = float(1).sub(cover).toVar();
+    const blank = cover.oneMinus().toVar();
     const towards = select(isOrthographic(), vec3(0, 0, 1), positionView.negate());
     const toViewer = normalize(viewToAnchor.mul(towards)).toVar();
     // The normal of a back-facing sheet points away.
@@ -261,11 +249,11 @@ export function hatchLayer(h: HatchingParameters, tone: Value, builder: NodeBuil
       If(share.greaterThanEqual(LEAST_SHARE), () => {
         const axis = takePlane(planes, share);
         // Planes are printed over one another.
-        const covered = float(1).sub(pow(blank, share)).toVar();
-        left.mulAssign(float(1).sub(dotsAcross(h.point, axis, covered, onScreen)));
+        const covered = pow(blank, share).oneMinus().toVar();
+        left.mulAssign(dotsAcross(h.point, axis, covered, onScreen).oneMinus());
       });
     });
-    printed.assign(float(1).sub(left.mul(min(blank.div(1 - FILLING), 1))));
+    printed.assign(left.mul(min(blank.div(1 - FILLING), 1)).oneMinus());
   });
   return printed;
 }

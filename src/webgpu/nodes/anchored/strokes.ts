@@ -21,8 +21,8 @@ const { ceil, dot, exp2, float, floor, fwidth, If, int, inverseSqrt, ivec3, log2
 const { uvec3, uvec4, vec2, vec3, vec4 } = tsl;
 
 /**
- * Counterpart of shaders/techniques/anchored/simplexLattice.glsl: the four nearest points of a 3-D simplex lattice of edge 1, and a kernel around
- * each.
+ * Counterpart of shaders/techniques/anchored/simplexLattice.glsl: the four nearest points of a 3-D simplex lattice of edge 1, and a
+ * kernel around each.
  */
 
 export interface LatticeAnchors {
@@ -35,7 +35,6 @@ export interface LatticeAnchors {
 
 /** Odd numbers without common patterns. */
 const HASH_STEP = [0x8da6b343, 0xd8163841, 0xcb1ab31f] as const;
-
 /** Their sum, in 32 bits. */
 const HASH_STEPS = (HASH_STEP[0] + HASH_STEP[1] + HASH_STEP[2]) >>> 0;
 
@@ -98,15 +97,12 @@ export function nearestAnchors(x: Value, lattice: Value): LatticeAnchors {
  * fixed to the object sample the threshold map; the fields are blended, and then compared with the tone once.
  */
 
-/** 0: strokes sized on the object, 1: on the screen. */
 const sizedOnScreen = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');
 
 /** Octaves between the lattices of strokes that are sized on the screen. */
 const LATTICE_OCTAVES = 1;
-
 /** The last part of an octave, in which a lattice fades into the next. */
 const LATTICE_FADE = 0.75;
-
 /** Octaves by which strokes may crowd at grazing angles before coarser levels of the map are used. */
 const FREE_CROWDING = 1;
 
@@ -133,7 +129,7 @@ function latticeField(h: HatchingParameters, lattice: Value, level: ThresholdLev
   const along = vec4(...offsets.map((offset) => dot(h.uAxis, offset))).mul(anchorSpacing);
   const across = vec4(...offsets.map((offset) => dot(h.vAxis, offset))).mul(anchorSpacing);
   // One bit of each word mirrors its strokes.
-  const mirrored = float(1).sub(bitsFrom(15, 1).mul(2));
+  const mirrored = bitsFrom(15, 1).mul(2).oneMinus();
   const u = along.mul(mirrored).add(shiftU).toVar();
   const v = across.add(shiftV).toVar();
   const places = (['x', 'y', 'z', 'w'] as const).map((c) => vec2(u[c], v[c]));
@@ -170,13 +166,13 @@ function anchoredField(
   };
   if (!isSizedOnScreen) If(isInked, () => add(0, 1));
   else {
-    const fade = smoothstep(1 - LATTICE_FADE, 1, float(1).sub(lattice.sub(wanted))).toVar();
+    const fade = smoothstep(1 - LATTICE_FADE, 1, lattice.sub(wanted).oneMinus()).toVar();
     If(isInked, () => {
-      add(0, float(1).sub(fade));
+      add(0, fade.oneMinus());
       If(fade.greaterThan(0), () => add(1, fade));
     });
     // The fields are independent: their variances add.
-    g.mulAssign(inverseSqrt(float(1).sub(fade.mul(2).mul(float(1).sub(fade)))));
+    g.mulAssign(inverseSqrt(fade.mul(2).mul(fade.oneMinus()).oneMinus()));
   }
   const crowding = faceOn.add(foreshortened).sub(levelFor(octaves)).toVar();
   return { field: { g, mixing }, crowding };

@@ -23,9 +23,10 @@ export interface ReceivedShadow {
   isShadowed: Value | null;
 }
 
-/** Counterpart of shaders/perFragment/fullShadow.glsl. */
-
-/** Whether no directed light arrives; null if some light casts no shadows and always does. */
+/**
+ * Counterpart of shaders/perFragment/fullShadow.glsl: whether no directed light arrives; null if some light casts no shadows and always
+ * does.
+ */
 export function isInFullShadow(lights: readonly Light[], receivedShadows: readonly ReceivedShadow[]): Value | null {
   const shadowed = receivedShadows.flatMap(({ isShadowed }) => isShadowed ?? []);
   if (shadowed.length === 0 || shadowed.length < directedLights(lights).length) return null;
@@ -101,7 +102,7 @@ export function fallOff(away: Value, { reach, decay }: LightValues): Value {
     .div(max(pow(away, decay), 0.01))
     .toVar();
   const share = away.div(max(reach, 1e-20)).toVar();
-  const edge = clamp(float(1).sub(share.mul(share).mul(share).mul(share)), 0, 1).toVar();
+  const edge = clamp(share.mul(share).mul(share).mul(share).oneMinus(), 0, 1).toVar();
   return select(reach.greaterThan(0), left.mul(edge).mul(edge), left);
 }
 

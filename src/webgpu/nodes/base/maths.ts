@@ -25,27 +25,27 @@ export const identity = (): Value => mat3(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 
 /** Whether the camera is orthographic: the last row of its projection ends in 1, in WebXR too. */
 export const isOrthographic = (): Value => tsl.cameraProjectionMatrix.element(3).element(3).equal(1);
 
-/** Counterpart of shaders/chunks/safeNormalize.glsl. */
-
-/** The unit vector, or the direction to the viewer for the null vector that a zero-area triangle has for a normal. */
+/**
+ * Counterpart of shaders/chunks/safeNormalize.glsl: the unit vector, or the direction to the viewer for the null vector that a zero-area
+ * triangle has for a normal.
+ */
 export function safeNormalize(v: Value): Value {
   // Too small to turn any other vector, and large enough for its square not to underflow.
   const any = v.add(vec3(0, 0, 2e-19)).toVar();
   return any.mul(inverseSqrt(dot(any, any))).toVar();
 }
 
-/** Counterpart of shaders/chunks/largestComponents.glsl. */
-
-/** Masks of the largest component of a vector and of the two largest, with ties broken consistently. */
+/**
+ * Counterpart of shaders/chunks/largestComponents.glsl: masks of the largest component of a vector and of the two largest, with ties broken
+ * consistently.
+ */
 export function largestComponents(v: Value): { largest: Value; twoLargest: Value } {
   const greater = step(v.yzx, v.xyz).toVar();
   const less = greater.oneMinus().toVar();
   return { largest: min(greater, less.zxy).toVar(), twoLargest: max(greater, less.zxy).toVar() };
 }
 
-/** Counterpart of shaders/chunks/normalDistribution.glsl. */
-
-/** Φ, the standard normal distribution, to 2e-4, and its slope. */
+/** Counterpart of shaders/chunks/normalDistribution.glsl: Φ, the standard normal distribution, to 2e-4, and its slope. */
 export function normalDistribution(g: Value): Value {
   const at = g.toVar();
   const cube = at.mul(at).mul(at);
@@ -56,9 +56,9 @@ export function normalDistribution(g: Value): Value {
   return vec2(h, slope);
 }
 
-/** Counterpart of shaders/chunks/lineCoverage.glsl. */
-
 /**
+ * Counterpart of shaders/chunks/lineCoverage.glsl.
+ *
  * The share of a pixel that a line covers; lengths in pixels.
  *
  * @param away distance from its centre
@@ -68,7 +68,5 @@ export const lineCoverage = (away: Value, halfWidth: Value, fringe: Input): Valu
   // A line thinner than a pixel is drawn one pixel wide and paler, so that it does not break up.
   clamp(max(halfWidth, 0.5).add(fringe).sub(away), 0, 1).mul(min(halfWidth.mul(2), 1));
 
-/** Counterpart of shaders/chunks/lightLuminance.glsl. */
-
-/** Luminance by the weights of Rec. 709. */
+/** Counterpart of shaders/chunks/lightLuminance.glsl: luminance by the weights of Rec. 709. */
 export const lightLuminance = (rgb: Value): Value => dot(rgb, vec3(0.2126, 0.7152, 0.0722));

@@ -24,6 +24,7 @@ const known = new Map<string, Value>();
 
 /**
  * A node for a uniform of the material that is being drawn, read from its `uniforms`. All materials share the node, and so share programs.
+ * The chunk that declares the uniform says what it means.
  *
  * @param type `float` for a flag: three.js evaluates one of type `bool` where it is used first, even inside a branch
  */

@@ -7,9 +7,10 @@ import { type DeformedVertex, type ObjectPlace, viewToObject } from './vertex.js
 
 const { cross, dot, float, If, mat3, normalGeometry, normalize, positionGeometry, varyingProperty, vec3 } = tsl;
 
-/** Counterpart of shaders/perFragment/rotationBetween.glsl. */
-
-/** The smallest rotation from one direction to another; the identity for null vectors. */
+/**
+ * Counterpart of shaders/perFragment/rotationBetween.glsl: the smallest rotation from one direction to another; the identity for null
+ * vectors.
+ */
 export function rotationBetween(from: Value, to: Value): Value {
   const start = normalize(from).toVar();
   const end = normalize(to).toVar();

@@ -1,7 +1,7 @@
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { tsl, type Value } from '../base/values.js';
 
-const { float, max, min } = tsl;
+const { max, min } = tsl;
 
 /** Counterpart of shaders/chunks/crossedTones.glsl: shares a tone among layers that cross from some tone on. */
 
@@ -14,7 +14,7 @@ export const takenOf = (tone: Value, from: Value, kept: number = TONE_CONSTANTS.
   min(tone, from).add(max(tone.sub(from), 0).mul(kept));
 
 /** The tone that a layer leaves to the others: exactly 0 up to where they begin. */
-export const leftOf = (tone: Value, taken: Value): Value => max(tone.sub(taken), 0).div(max(float(1).sub(taken), 1e-4));
+export const leftOf = (tone: Value, taken: Value): Value => max(tone.sub(taken), 0).div(max(taken.oneMinus(), 1e-4));
 
 /** Counterpart of shaders/chunks/shadowStrokes.glsl: strokes in shadows. */
 
@@ -32,9 +32,5 @@ export function hatchInShadow(
 ): Value {
   if (!unshadowed) return hatch(tone);
   const shadow = leftOf(tone, unshadowed).toVar();
-  return float(1).sub(
-    float(1)
-      .sub(hatch(unshadowed))
-      .mul(float(1).sub(shadowLayer(shadow))),
-  );
+  return hatch(unshadowed).oneMinus().mul(shadowLayer(shadow).oneMinus()).oneMinus();
 }

@@ -4,7 +4,7 @@ import { blankTooth, hatchingTexture, hatchingUniform } from '../base/uniforms.j
 import { tsl, type Value } from '../base/values.js';
 import { crowdedShare, darkenedFrom, type HatchField, unskew } from './ink.js';
 
-const { dot, float, fract, inverseSqrt, max, mix, pow, select, smoothstep, vec2 } = tsl;
+const { dot, fract, inverseSqrt, max, mix, pow, select, smoothstep, vec2 } = tsl;
 
 /**
  * Counterpart of shaders/chunks/dryMedium.glsl: pencil, charcoal, chalk. The darkness of a stroke grows with its pressure, which is the
@@ -12,18 +12,13 @@ const { dot, float, fract, inverseSqrt, max, mix, pow, select, smoothstep, vec2 
  */
 
 const tooth = /* @__PURE__ */ hatchingUniform('tooth', 'float');
-
 const softness = /* @__PURE__ */ hatchingUniform('softness', 'float');
-
 const smudge = /* @__PURE__ */ hatchingUniform('smudge', 'float');
 
 /** Grain with edges as sharp as a pixel would flicker. */
 const LEAST_SOFTNESS = 0.1;
-
 /** The shares by which tooth and smudge decrease up to full tone, where the hand presses harder. */
 const PRESSED = [0.5, 0.25] as const;
-
-const oneMinus = (x: Value): Value => float(1).sub(x);
 
 /**
  * The darkness ∈ [0, 1] of a dry medium for a field and a tone. As with ink, its mean is the tone.
@@ -33,14 +28,14 @@ const oneMinus = (x: Value): Value => float(1).sub(x);
 export function inkAt(field: HatchField, tone: Value, crowding: Value, pixel: Value): Value {
   const squared = tone.mul(tone).toVar();
   // With tooth 1, grain is not reduced.
-  const grain = tooth.mul(oneMinus(squared.mul(PRESSED[0]).mul(oneMinus(tooth)))).toVar();
+  const grain = tooth.mul(squared.mul(PRESSED[0]).mul(tooth.oneMinus()).oneMinus()).toVar();
   // A smudged tone and a drawn one, printed over one another, give the tone.
-  const blank = max(oneMinus(tone), 1e-6).toVar();
-  const share = smudge.mul(oneMinus(squared.mul(PRESSED[1]))).toVar();
-  const rubbed = oneMinus(pow(blank, share)).toVar();
-  const drawn = oneMinus(pow(blank, oneMinus(share))).toVar();
+  const blank = max(tone.oneMinus(), 1e-6).toVar();
+  const share = smudge.mul(squared.mul(PRESSED[1]).oneMinus()).toVar();
+  const rubbed = pow(blank, share).oneMinus().toVar();
+  const drawn = pow(blank, share.oneMinus()).oneMinus().toVar();
   const crowded = crowdedShare(crowding).toVar();
-  const shares = vec2(oneMinus(grain).mul(oneMinus(crowded)), grain).toVar();
+  const shares = vec2(grain.oneMinus().mul(crowded.oneMinus()), grain).toVar();
   shares.assign(shares.mul(inverseSqrt(max(dot(shares, shares), 1e-8))));
   const g = dot(shares, vec2(field.g, toothField(pixel)));
   // The skew of a sum is that of one field times the cube of its share.
@@ -49,8 +44,8 @@ export function inkAt(field: HatchField, tone: Value, crowding: Value, pixel: Va
   const h = unskew(normalDistribution(g).x.toVar(), skew).toVar();
   const grained = darkenedFrom(h, drawn, max(softness, LEAST_SOFTNESS).toVar());
   // Without tooth, crowded strokes become a flat tone.
-  const left = mix(grained, drawn, crowded.mul(oneMinus(grain)));
-  return oneMinus(oneMinus(rubbed).mul(oneMinus(left))).toVar();
+  const left = mix(grained, drawn, crowded.mul(grain.oneMinus()));
+  return rubbed.oneMinus().mul(left.oneMinus()).oneMinus().toVar();
 }
 
 /**
@@ -58,13 +53,8 @@ export function inkAt(field: HatchField, tone: Value, crowding: Value, pixel: Va
  * whole picture.
  */
 
-/** A standard normal field, low where paper fibres rise. */
 const toothMap = /* @__PURE__ */ hatchingTexture('toothMap', blankTooth);
-
-/** Offset of this picture in a larger one, pixels. */
 const toothOffset = /* @__PURE__ */ hatchingUniform('toothOffset', 'vec2');
-
-/** Pixels per bump. */
 const toothSize = /* @__PURE__ */ hatchingUniform('toothSize', 'float');
 
 /** The share of variance that neighbouring texels of the map do not share. */
@@ -75,11 +65,8 @@ const TOOTH_UNSHARED = 3 / 19;
  * times as fine, and of strength DETAIL from DETAIL_TO pixels on.
  */
 const DETAIL_FROM = 3;
-
 const DETAIL_TO = 9;
-
 const DETAIL = 0.6;
-
 const DETAIL_FINER = 3.7;
 
 /** @param pixel of the render target, counted from the lower left. @param size pixels per bump */
@@ -88,8 +75,10 @@ function toothOf(pixel: Value, size: Value): Value {
   const encoded = toothMap.sample(texel.div(TOOTH_MAP_SIZE)).level(0).x;
   // Restores the variance lost by interpolation.
   const between = fract(texel.sub(0.5)).toVar();
-  const variance = float(1)
-    .sub(between.mul(between.oneMinus()).mul(2 * TOOTH_UNSHARED))
+  const variance = between
+    .mul(between.oneMinus())
+    .mul(2 * TOOTH_UNSHARED)
+    .oneMinus()
     .toVar();
   return encoded
     .mul(6)

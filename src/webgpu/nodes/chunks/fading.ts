@@ -6,22 +6,17 @@ import { tsl, type Value } from '../base/values.js';
 const { cameraViewMatrix, clamp, dot, exp, float, length, select, sin, smoothstep, vec3 } = tsl;
 const { AIR, FOCUS_END, FRONT_GAIN, UNEVEN, VIGNETTE_START } = FADING_CONSTANTS;
 
-/** Depths at which fading begins and ends, view units, and its strength. */
 const depthFading = /* @__PURE__ */ hatchingUniform('depthFading', 'vec3');
-/** The point in focus, view space, and its radius; radius 0 for none. */
 const focusing = /* @__PURE__ */ hatchingUniform('focusing', 'vec4');
-/** Strength of the falloff towards the rim. */
 const vignette = /* @__PURE__ */ hatchingUniform('vignette', 'float');
-/** Lower left corner of the sheet in the render target, and its size, pixels. */
 const sheet = /* @__PURE__ */ hatchingUniform('sheet', 'vec4');
-/** Importance of the object. */
 const importance = /* @__PURE__ */ hatchingUniform('importance', 'float');
 
 /** Strength of aerial perspective: 0 in front, 1 at the back. */
 function airBefore(viewPosition: Value): Value {
   const way = clamp(viewPosition.z.negate().sub(depthFading.x).div(depthFading.y.sub(depthFading.x)), 0, 1);
-  const air = float(1)
-    .sub(exp(way.mul(-AIR)))
+  const air = exp(way.mul(-AIR))
+    .oneMinus()
     .div(1 - Math.exp(-AIR));
   return select(depthFading.z.equal(0), float(0), air);
 }
@@ -42,14 +37,14 @@ function inFocus(viewPosition: Value): Value {
   const way = viewPosition.sub(focusing.xyz).toVar();
   const [x, y, z] = [0, 1, 2].map((column) => dot(way, cameraViewMatrix.element(column).xyz));
   const away = vec3(x, y, z).div(focusing.w).toVar();
-  const focused = float(1).sub(smoothstep(1, FOCUS_END, length(away).mul(uneven(away).add(1))));
+  const focused = smoothstep(1, FOCUS_END, length(away).mul(uneven(away).add(1))).oneMinus();
   return select(focusing.w.equal(0), float(1), focused);
 }
 
 function onSheet(pixel: Value): Value {
   const away = pixel.sub(sheet.xy).mul(2).div(sheet.zw).sub(1).toVar();
   const outside = smoothstep(VIGNETTE_START, 1, length(away).mul(uneven(vec3(away.mul(2), 0)).add(1)));
-  return select(vignette.equal(0), float(1), float(1).sub(vignette.mul(outside)));
+  return select(vignette.equal(0), float(1), vignette.mul(outside).oneMinus());
 }
 
 /** A factor on the tone. @param pixel of the render target, counted from the lower left */
@@ -57,15 +52,10 @@ export const fadingAt = (viewPosition: Value, pixel: Value): Value =>
   importance
     .mul(inFocus(viewPosition))
     .mul(onSheet(pixel))
-    .mul(float(1).sub(depthFading.z.mul(airBefore(viewPosition))));
+    .mul(depthFading.z.mul(airBefore(viewPosition)).oneMinus());
 
 /** A factor on the width of outlines. */
 export const outlineFadingAt = (viewPosition: Value, pixel: Value): Value =>
-  fadingAt(viewPosition, pixel).mul(
-    depthFading.z
-      .mul(FRONT_GAIN)
-      .mul(float(1).sub(airBefore(viewPosition)))
-      .add(1),
-  );
+  fadingAt(viewPosition, pixel).mul(depthFading.z.mul(FRONT_GAIN).mul(airBefore(viewPosition).oneMinus()).add(1));
 
 export const mostOutlineFading = (): Value => depthFading.z.mul(FRONT_GAIN).add(1);

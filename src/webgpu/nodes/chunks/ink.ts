@@ -2,16 +2,14 @@ import { normalDistribution } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
-const { clamp, float, fwidth, max, min, mix, select, smoothstep, sqrt, vec4 } = tsl;
+const { clamp, fwidth, max, min, mix, select, smoothstep, sqrt, vec4 } = tsl;
 
 /** Counterpart of shaders/chunks/ink.glsl: turns a field of thresholds into what is printed. */
 
-/** Width of the edge of a stroke. */
 const edgePixels = /* @__PURE__ */ hatchingUniform('edgePixels', 'float');
 
 /** Octaves of crowding at which strokes begin to turn into a flat tone, and at which they have. */
 const CROWDED_FROM = 1;
-
 const CROWDED = 2.5;
 
 /** A field that is compared with a tone: standard normal, except for the skew of mixed levels. */
@@ -51,9 +49,7 @@ export function inkAt(field: HatchField, tone: Value, crowding: Value): Value {
 /** Counterpart of shaders/chunks/printedColor.glsl: ink and paper as one colour with an alpha, not premultiplied. */
 
 const ink = /* @__PURE__ */ hatchingUniform('ink', 'color');
-
 export const paper: Value = /* @__PURE__ */ hatchingUniform('paper', 'color');
-
 const paperOpacity = /* @__PURE__ */ hatchingUniform('paperOpacity', 'float');
 
 /**
@@ -64,8 +60,6 @@ const paperOpacity = /* @__PURE__ */ hatchingUniform('paperOpacity', 'float');
 export function printedColor(ground: Value, darkness: Value, isMultiplied: boolean, isOpaque: boolean): Value {
   const stroke = isMultiplied ? ground.mul(ink) : ink;
   if (isOpaque) return vec4(mix(ground, stroke, darkness), 1);
-  const alpha = float(1)
-    .sub(float(1).sub(paperOpacity).mul(float(1).sub(darkness)))
-    .toVar();
+  const alpha = paperOpacity.oneMinus().mul(darkness.oneMinus()).oneMinus().toVar();
   return vec4(mix(ground.mul(paperOpacity), stroke, darkness).div(max(alpha, 1e-6)), alpha);
 }

@@ -10,7 +10,6 @@ const { smoothstep, vec2, vec3 } = tsl;
 /** Whether lines follow the form. @param lineField the choice */
 export const followsForm = (lineField: string): boolean => lineField === 'form' || lineField === 'acrossForm';
 
-/** Cosine and sine of the strokes' rotation. */
 export const strokeDirection: Value = /* @__PURE__ */ hatchingUniform('strokeDirection', 'vec2');
 
 /**
@@ -20,10 +19,8 @@ export const strokeDirection: Value = /* @__PURE__ */ hatchingUniform('strokeDir
 
 /** Squared sine of the angle between light and normal below which a light gives no direction. */
 const PARALLEL_SQUARED_SINE = 1e-8;
-
 /** Weight of a light where it does not reach, so that strokes keep a direction beyond a cone or a terminator. */
 const UNLIT_WEIGHT = 1e-4;
-
 /** Cosine down to which a light counts beyond its terminator, so that strokes keep their direction there. */
 const BEHIND_TERMINATOR = 0.05;
 
@@ -155,7 +152,7 @@ export function lightBitangent(
   const amplitude = length(o.tensor).toVar();
   // Lights along the normal give no direction, so they do not disagree.
   const least = o.weight.mul(PARALLEL_SQUARED_SINE).toVar();
-  const disagreement = max(float(1).sub(amplitude.div(max(o.extent, 1e-20))), 0);
+  const disagreement = max(amplitude.div(max(o.extent, 1e-20)).oneMinus(), 0);
   const crossing = select(o.extent.greaterThan(least), disagreement, float(0)).toVar();
   // Half of the doubled angle without trigonometry, from the side without cancellation.
   const { x, y } = o.tensor;

@@ -4,12 +4,12 @@ import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
-const { attribute, dot, float, max, normalGeometry, select, smoothstep, vec4 } = tsl;
+const { attribute, dot, max, normalGeometry, select, smoothstep, vec4 } = tsl;
 const { CAVITY, HOLLOW } = TONE_CONSTANTS;
 
-/** Counterpart of shaders/chunks/hatchNormal.glsl. */
-
 /**
+ * Counterpart of shaders/chunks/hatchNormal.glsl.
+ *
  * xyz: the normal smoothed to the scale of a stroke, zero if the geometry has none. w: minus the baked occlusion, 1 if the geometry has no
  * such attribute.
  */
@@ -27,9 +27,7 @@ export function strokeNormalOf(builder: NodeBuilder): Value {
 /** The baked ambient occlusion. */
 export const vOcclusion: Value = /* @__PURE__ */ tsl.varyingProperty('float', 'vOcclusion');
 
-/** Counterpart of shaders/chunks/emitOcclusion.glsl. */
-
-/** Instances stand in different places, so occlusion is not baked for them. */
+/** Counterpart of shaders/chunks/emitOcclusion.glsl. Instances stand in different places, so occlusion is not baked for them. */
 export function emitOcclusion(builder: NodeBuilder): void {
   const isPlaced = ['isInstancedMesh', 'isBatchedMesh'].some((kind) => kind in (builder.object as object));
   vOcclusion.assign(isPlaced ? 0 : max(hatchNormal(builder).w.negate(), 0));
@@ -37,17 +35,18 @@ export function emitOcclusion(builder: NodeBuilder): void {
 
 /** Counterpart of shaders/chunks/occlude.glsl: the light that ambient occlusion takes. */
 
-/** Strength of ambient occlusion. */
 const occlusion = /* @__PURE__ */ hatchingUniform('occlusion', 'float');
-
-/** Tone of the deepest hollows. */
 const hollowTone = /* @__PURE__ */ hatchingUniform('hollowTone', 'float');
 
 /** The share of ambient light that is left. */
-export const openToSky = (): Value => float(1).sub(occlusion.mul(vOcclusion));
+export const openToSky = (): Value => occlusion.mul(vOcclusion).oneMinus();
 
 /** The share of directed light that is left: little less than all, except where most of the sky is hidden. */
-export const openToLights = (): Value => float(1).sub(occlusion.mul(vOcclusion).mul(smoothstep(0, CAVITY, vOcclusion)));
+export const openToLights = (): Value =>
+  occlusion
+    .mul(vOcclusion)
+    .mul(smoothstep(0, CAVITY, vOcclusion))
+    .oneMinus();
 
 /** The darkness of deep hollows, which light does not lessen. */
 export const hollowness = (): Value => hollowTone.mul(occlusion).mul(smoothstep(HOLLOW[0], HOLLOW[1], vOcclusion));

@@ -55,7 +55,8 @@ export const triangleOnScreen = (viewToPlace: Value): ScreenMap =>
 /** The gradient per pixel of a function, from its gradient in space. */
 export const screenGradient = (gradient: Value, [x, y]: ScreenMap): Value => vec2(dot(gradient, x), dot(gradient, y));
 
-/** Counterpart of shaders/perFragment/faceNormals.glsl. */
-
-/** The face normal, view space, from screen-space derivatives, which faces the viewer: the geometry has no attribute for it. */
+/**
+ * Counterpart of shaders/perFragment/faceNormals.glsl: the face normal, view space, from screen-space derivatives, which faces the viewer:
+ * the geometry has no attribute for it.
+ */
 export const readFaceNormals = (): Value => tsl.normalFlat;

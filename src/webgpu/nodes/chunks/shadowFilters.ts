@@ -76,7 +76,7 @@ export const biased = ({ isReversed }: ShadowMap, depth: Value, bias: Value): Va
 /** @param at homogeneous position in the map. Outside the map all light passes. */
 export function passesFlat(map: ShadowMap, at: Value, depth: Value): Value {
   const place = at.xy.div(at.w).toVar();
-  const fromAbove = vec2(place.x, float(1).sub(place.y)).toVar();
+  const fromAbove = vec2(place.x, place.y.oneMinus()).toVar();
   const there = map.hasMoments
     ? passesMoments((texture(map.texture, fromAbove as never) as unknown as Value).toVar(), depth, map.isReversed)
     : compareFlat(map, fromAbove, depth);
@@ -90,11 +90,8 @@ export function passesFlat(map: ShadowMap, at: Value, depth: Value): Value {
 export function depthOnFace({ isReversed }: ShadowMap, fromLight: Value, { near, far, bias }: ShadowValues): Value {
   const size = abs(fromLight).toVar();
   const alongFace = max(max(max(size.x, size.y), size.z), near);
-  const depth = far
-    .mul(float(1).sub(near.div(alongFace)))
-    .div(far.sub(near))
-    .add(bias);
-  return isReversed ? float(1).sub(depth) : depth;
+  const depth = far.mul(near.div(alongFace).oneMinus()).div(far.sub(near)).add(bias);
+  return isReversed ? depth.oneMinus() : depth;
 }
 
 /** @param towards direction, of any length @param lightDistance distance of the point */

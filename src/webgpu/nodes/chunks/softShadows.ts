@@ -18,22 +18,15 @@ const { lightShadowMatrix } = threeNodes;
  */
 
 const RINGS = 4;
-
 /** Steps of the bisection, enough to show no bands. */
 const HALVINGS = 6;
-
 const LAST_STEP = 1 / 64;
-
 /** Rays begin at this share of their length, so that a surface at a grazing angle does not hit itself. */
 const WITHIN = 0.25;
-
 /** Cosine and sine of the golden angle, by which successive samples are turned. */
 const [SEED_COSINE, SEED_SINE] = [-0.73736888, 0.67549029];
 
-/** Share of the tone that is lost over the width of the shadow map. */
 export const shadowFade: Value = /* @__PURE__ */ hatchingUniform('shadowFade', 'float');
-
-/** Width of the edge, as a share of the distance from the occluder. */
 export const shadowSoftness: Value = /* @__PURE__ */ hatchingUniform('shadowSoftness', 'float');
 
 /** Rays from a point to samples on a lamp. */
@@ -80,7 +73,7 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
   // Occluders lie no farther away than the lamp. Near a lamp the cone widens fast on the map.
   const farthest = min(rays.farthest, float(TOWARDS_LAMP).div(max(rays.nearing, 1e-6))).toVar();
   const opened = farthest
-    .div(float(1).sub(rays.nearing.mul(farthest)))
+    .div(rays.nearing.mul(farthest).oneMinus())
     .div(3 ** (RINGS - 1))
     .toVar();
   const way = vec2(1, 0).toVar();
@@ -117,7 +110,7 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
     });
     // The last step is never taken: at the greatest distance the shadow has dissolved.
     const faded = shadowFade.mul(caster).div(rays.width.mul(1 - LAST_STEP));
-    const left = max(float(1).sub(faded), 0).toVar();
+    const left = max(faded.oneMinus(), 0).toVar();
     read.assign(vec2(min(lit, 1), left));
     const isSoft = lit.greaterThanEqual(1e-3).and(left.greaterThan(0)).and(shadowSoftness.greaterThan(0));
     If(isSoft, () => {
@@ -149,14 +142,13 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
  * Counterpart of shaders/chunks/softShadows.glsl: shadows whose edges widen and whose tone dissolves with the distance from the occluder.
  */
 
-/** Tone of a full shadow where it touches its occluder. */
 export const shadowTone: Value = /* @__PURE__ */ hatchingUniform('shadowTone', 'float');
 
 /**
  * The share of the tone of all shadows that is left. @param taken luminance that they take @param lost the part of it that has dissolved
  */
 export const shadowLeft = (taken: Value, lost: Value): Value =>
-  select(taken.greaterThan(0), float(1).sub(lost.div(max(taken, 1e-20))), float(1));
+  select(taken.greaterThan(0), lost.div(max(taken, 1e-20)).oneMinus(), float(1));
 
 function raysTo(toLight: Value, width: Value, nearing: Value): Rays {
   const upright = select(abs(toLight.y).lessThan(OVERHEAD), vec3(0, 1, 0), vec3(1, 0, 0));

@@ -4,12 +4,9 @@ import { type TextureValue, tsl, type Value } from '../base/values.js';
 
 const { clamp, dot, exp2, floor, fract, inverseSqrt, log2, min, mix, vec2, vec3, vec4 } = tsl;
 
-/** Counterpart of shaders/chunks/levelByDepth.glsl. */
+/** Counterpart of shaders/chunks/levelByDepth.glsl: the level of a map by the depth of the fragment. */
 
-/** Tiles per object unit. */
 export const tilesPerUnit: Value = /* @__PURE__ */ hatchingUniform('tilesPerUnit', 'float');
-
-/** Desired pixels per texel. */
 const texelPixels = /* @__PURE__ */ hatchingUniform('texelPixels', 'float');
 
 /** The level of a map for the depth of the fragment (paper, section 3.4). @param size texels per tile */
@@ -21,15 +18,9 @@ export const levelByDepth = (size: Value, unitsPerPixel: Value): Value =>
  * lie side by side in one texture; the green channel of each holds the next coarser level.
  */
 
-/** Texels per side of level 0. */
 export const thresholdMapSize = /* @__PURE__ */ hatchingUniform('thresholdMapSize', 'float');
-
-/** Texel size, as a share of the texture. */
 const thresholdMapTexel = /* @__PURE__ */ hatchingUniform('thresholdMapTexel', 'vec2');
-
 const thresholdMapLevels = /* @__PURE__ */ hatchingUniform('thresholdMapLevels', 'float');
-
-/** Variances of g between texels on a level and on the next coarser one, and their covariance. */
 const thresholdMoments = /* @__PURE__ */ hatchingUniform('thresholdMoments', 'vec3');
 
 let map: TextureValue | undefined;

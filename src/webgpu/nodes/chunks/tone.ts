@@ -26,22 +26,14 @@ export interface HatchingSurface {
 /** Counterpart of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
 
 const toneSteps = /* @__PURE__ */ hatchingUniform('toneSteps', 'float');
-
-/** Tones at full light and at none. */
 const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
-
-/** Factor on radiance, and offset. */
 const exposure = /* @__PURE__ */ hatchingUniform('exposure', 'vec2');
-
-/** Slope of the ramp that tone is multiplied by, and its value at tone 0. */
 const highlightRamp = /* @__PURE__ */ hatchingUniform('highlightRamp', 'vec2');
 
 const highlightKept = (tone: Value): Value => tone.mul(clamp(highlightRamp.x.mul(tone).add(highlightRamp.y), 0, 1));
 
 function toneFromRadiance(radiance: Value, { curve, toneModel }: ToneRules): Value {
-  const tone = float(1)
-    .sub(clamp(radiance, 0, 1))
-    .toVar();
+  const tone = clamp(radiance, 0, 1).oneMinus().toVar();
   if (toneModel === 'toon') {
     const last = max(toneSteps.sub(1), 1);
     tone.assign(floor(tone.mul(last).add(0.5)).div(last));
@@ -91,9 +83,7 @@ export function unshadowedTone(surface: HatchingSurface, rules: ToneRules): Valu
   return litTone(shadowed ? radiance.add(shadowed) : radiance, surface, rules);
 }
 
-/** Counterpart of shaders/chunks/lightness.glsl. */
-
-/** Lightness L* over 100, of a luminance in [0, 1] (CIE 1976). */
+/** Counterpart of shaders/chunks/lightness.glsl: lightness L* over 100, of a luminance in [0, 1] (CIE 1976). */
 export const lightness = (y: Value): Value =>
   select(
     y.lessThan(216 / 24389),
@@ -120,23 +110,21 @@ function splineAt(tone: Value): Value {
 /** @param curve index among `TONE_CURVES` */
 export function curvedTone(tone: Value, curve: number): Value {
   const kind = TONE_CURVES[curve];
-  if (kind === 'perceptual') return float(1).sub(lightness(float(1).sub(tone)));
+  if (kind === 'perceptual') return lightness(tone.oneMinus()).oneMinus();
   return kind === 'points' ? splineAt(tone) : tone;
 }
 
 /** Counterpart of shaders/chunks/localColor.glsl: the tone and the tint of the surface's own colour. */
 
 const localTone = /* @__PURE__ */ hatchingUniform('localTone', 'float');
-
 const colorExposure = /* @__PURE__ */ hatchingUniform('colorExposure', 'float');
-
 const colorFill = /* @__PURE__ */ hatchingUniform('colorFill', 'float');
 
 /** The darkness of a colour beside white, as far as it becomes tone. Emitted light lessens it. */
 export function localDarkness(color: Value, emitted: Value): Value {
   const light = min(colorExposure.mul(lightness(clamp(lightLuminance(color), 0, 1))), 1);
-  const unlit = float(1).sub(clamp(lightLuminance(emitted), 0, 1));
-  return localTone.mul(float(1).sub(light)).mul(unlit);
+  const unlit = clamp(lightLuminance(emitted), 0, 1).oneMinus();
+  return localTone.mul(light.oneMinus()).mul(unlit);
 }
 
 export const filledColor = (color: Value): Value => mix(vec3(1), color, colorFill);

@@ -57,7 +57,6 @@ export const viewToObject: Value = /* @__PURE__ */ hatchingUniform('viewToObject
 
 /** Placeholder for objects without instances or batches. */
 const noPlaces = /* @__PURE__ */ blankFloats();
-
 /** Matrices of instances or of a batch, one column per texel. */
 const instancePlaces = /* @__PURE__ */ threeNodes
   .uniformTexture(noPlaces)

@@ -24,7 +24,7 @@ export const rowOctaves = (tone: Value): Value =>
   clamp(
     octaves(
       float(RARE)
-        .div(max(min(tone, float(1).sub(tone)), 1e-4))
+        .div(max(min(tone, tone.oneMinus()), 1e-4))
         .toVar(),
     ),
     0,
@@ -32,13 +32,13 @@ export const rowOctaves = (tone: Value): Value =>
   );
 
 export function cutFor(h: HatchingParameters, family: Family, tone: Value, octave: Value): Cut {
-  const white = float(1).sub(tone).toVar();
+  const white = tone.oneMinus().toVar();
   const rare = min(white, tone).toVar();
   // The white share is the mean of clamp(middle + swell u, 0, 1) for u uniform in [−1, 1].
   const swell = min(rare.mul(SWELL_SHARE), SWELL).mul(differing(family, octave)).toVar();
   const narrow = sqrt(max(swell.mul(rare).mul(4), 0)).sub(swell);
   const ofRare = select(rare.lessThan(swell), narrow, rare).toVar();
-  const middle = select(white.lessThan(0.5), ofRare, float(1).sub(ofRare)).toVar();
+  const middle = select(white.lessThan(0.5), ofRare, ofRare.oneMinus()).toVar();
   const along = alongLines(h, family);
   const wedges = along.places.div(along.period).toVar();
   const shares = vec2(along.longer, along.share).toVar();

@@ -27,11 +27,8 @@ import {
 
 const { determinant, If, vec4 } = tsl;
 
-/** Object space. */
 const fieldOrigin = /* @__PURE__ */ hatchingUniform('fieldOrigin', 'vec3');
-/** Linear part. */
 export const objectToField: Value = /* @__PURE__ */ hatchingUniform('objectToField', 'mat3');
-/** Its inverse transpose. */
 const objectToFieldNormal = /* @__PURE__ */ hatchingUniform('objectToFieldNormal', 'mat3');
 
 /** @param cut the field that lines are level sets of */

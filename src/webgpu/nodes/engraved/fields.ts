@@ -13,28 +13,21 @@ const { FIRST_AXIS, LEAST_SINE, LEAST_WEIGHT, SLANT, UPRIGHT } = FIELD_CONSTANTS
 /** Counterpart of shaders/techniques/engraved/varyings.glsl. Field space: that of the object, or one for all objects of a scene, in tiles. */
 
 export const vFieldPoint: Value = /* @__PURE__ */ varyingProperty('vec3', 'vFieldPoint');
-
 /** The normal smoothed to the scale of a stroke. */
 export const vFieldNormal: Value = /* @__PURE__ */ varyingProperty('vec3', 'vFieldNormal');
-
 /** The axis of the field, unit, and the curvature of its function; constant over an object. */
 export const vField: Value = /* @__PURE__ */ varyingProperty('vec4', 'vField');
-
 /** Unit direction towards the light, and reciprocal of its distance, 0 for directional lights; for fields that are read per fragment. */
 export const vFieldLight: Value = /* @__PURE__ */ varyingProperty('vec4', 'vFieldLight');
-
 /** Gradient of a function, per tile, and its value minus half of the gradient's product with the position. */
 export const vForm: Value = /* @__PURE__ */ varyingProperty('vec4', 'vForm');
-
 /** The same for the crossing lines. */
 export const vFormCrossing: Value = /* @__PURE__ */ varyingProperty('vec4', 'vFormCrossing');
 
 /** Counterpart of shaders/techniques/engraved/formAttributes.glsl: the baked functions of lines that follow the form. */
 
 export const formValue = (): Value => attribute(formLayout.value.name, 'vec2');
-
 export const formSlope = (): Value => attribute(formLayout.slope.name, 'vec4');
-
 export const formCrossing = (): Value => attribute(formLayout.crossing.name, 'vec4');
 
 /**

@@ -7,7 +7,6 @@ import { type Input, tsl, type Value } from '../base/values.js';
 const { abs, float, floatBitsToUint, fract, select, uint, vec3 } = tsl;
 const { BEND_PHASES, BENDS, BENT_BY, PRESSURE, SLOW_WAVES, STRAY, WAVE_PHASES, WIDTHS } = HAND_CONSTANTS;
 
-/** 0 for lines as by a ruling machine. */
 export const handmade: Value = /* @__PURE__ */ hatchingUniform('handmade', 'float');
 
 const halfOf = (numbers: readonly number[]): Value => {
@@ -39,7 +38,7 @@ export const handPoint = (point: Value, waves: Value): Value => point.add(waves.
 
 export const handPressure = (waves: Value): Value => handmade.mul(PRESSURE).mul(waves.x).mul(waves.y);
 
-export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(float(1).sub(tone)));
+export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(tone.oneMinus()));
 
 /** A hash of a line in [0, 1). @param line its value, a multiple of a power of two */
 function hashBy(digits: number, line: Value): Value {
@@ -61,5 +60,5 @@ export const turnOf = (line: Value): Value => select(line.equal(0), 0, hashBy(HA
 /** A factor on the width of a whole line; 1 in the mean. */
 export function handWidth(line: Value): Value {
   const most = handmade.mul(WIDTHS);
-  return most.mul(hash01(line)).add(float(1).sub(most.mul(0.5)));
+  return most.mul(hash01(line)).add(most.mul(0.5).oneMinus());
 }

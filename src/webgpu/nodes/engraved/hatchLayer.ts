@@ -12,13 +12,8 @@ const { float, If, max, mix, select } = tsl;
 
 /** Counterpart of shaders/techniques/engraved/hatchLayer.glsl: engraved lines, with other families across them in the darks. */
 
-/** The tone above which lines cross. */
 const crossFrom = /* @__PURE__ */ hatchingUniform('crossFrom', 'float');
-
-/** Cosine and sine of the angle between a family and the next, and of half of the supplement of that angle. */
 const layerTurns = /* @__PURE__ */ hatchingUniform('layerTurns', 'vec4');
-
-/** 1: lines; 0: an even grey of the same tone. */
 const lineContrast = /* @__PURE__ */ hatchingUniform('lineContrast', 'float');
 
 /** The darkness of three families printed over one another. */
@@ -32,19 +27,19 @@ export function families(
   const lean = isOther ? ([z.negate(), w.negate()] as const) : ([x, y] as const);
   // Where the first family has no lines, one of the two others leaning back is left out, since both would coincide.
   const shareB = isOther ? h.shareB.add(h.has).sub(1) : h.shareB;
-  const blankB = mix(1, float(1).sub(crossing), shareB).toVar();
-  const blankC = float(1).sub(crossing).div(max(blankB, 1e-4)).toVar();
+  const blankB = mix(1, crossing.oneMinus(), shareB).toVar();
+  const blankC = crossing.oneMinus().div(max(blankB, 1e-4)).toVar();
   const blank = float(1).toVar();
   const print = (tone: Value, least: number, family: () => Family): void => {
     If(tone.greaterThan(least), () => {
-      blank.mulAssign(float(1).sub(ruledLines(h, family(), handTone(h.pressure, tone).toVar(), medium)));
+      blank.mulAssign(ruledLines(h, family(), handTone(h.pressure, tone).toVar(), medium).oneMinus());
     });
   };
   if (first) print(first, 0, () => h.firstFamily());
   // Families without ink are skipped.
-  print(float(1).sub(blankB).toVar(), LINE_CONSTANTS.LEAST_TONE, () => h.crossingFamily(true, lean, isOther));
-  print(float(1).sub(blankC).toVar(), LINE_CONSTANTS.LEAST_TONE, () => h.crossingFamily(false, lean, isOther));
-  return float(1).sub(blank);
+  print(blankB.oneMinus().toVar(), LINE_CONSTANTS.LEAST_TONE, () => h.crossingFamily(true, lean, isOther));
+  print(blankC.oneMinus().toVar(), LINE_CONSTANTS.LEAST_TONE, () => h.crossingFamily(false, lean, isOther));
+  return blank.oneMinus();
 }
 
 /** Fades lines into an even grey of their tone where they would shimmer. */
@@ -61,8 +56,8 @@ export function hatchLayer(h: HatchingParameters, tone: Value, medium: Medium): 
     // Two families cross at a slant and would leave rows of rhombs open in the darks: the third leans back.
     const second = takenOf(others, float(TONE_CONSTANTS.THIRD_FROM), kept).toVar();
     const third = leftOf(others, second).toVar();
-    const those = float(1).sub(families(h, first, second, { medium, isOther: false }));
-    darkness = float(1).sub(those.mul(float(1).sub(families(h, null, third, { medium, isOther: true }))));
+    const those = families(h, first, second, { medium, isOther: false }).oneMinus();
+    darkness = those.mul(families(h, null, third, { medium, isOther: true }).oneMinus()).oneMinus();
   } else darkness = families(h, first, others, { medium, isOther: false });
   return contrasted(tone, darkness);
 }

@@ -29,8 +29,6 @@ export interface Pen {
   width: Value;
 }
 
-const oneMinus = (x: Value): Value => float(1).sub(x);
-
 /** The integral of the ink of a growing stroke: a ramp from 0 to 1, and less where it is short. */
 function rampSum(x: Value): Value {
   const grown = min(x.div(STROKE_GROWTH), 1).toVar();
@@ -44,11 +42,11 @@ function rampSum(x: Value): Value {
 
 export function penFor(h: HatchingParameters, family: Family, tone: Value, octave: Value): Pen {
   const allFrom = differing(family, octave).mul(ALL_FROM).toVar();
-  const light = max(oneMinus(tone.div(CLOSED_FROM)), 0).toVar();
+  const light = max(tone.div(CLOSED_FROM).oneMinus(), 0).toVar();
   const open = light.mul(light).toVar();
   const above = max(tone.sub(allFrom), 0).toVar();
   const there = rampSum(tone).sub(rampSum(above)).div(allFrom);
-  const width = tone.div(max(there.mul(oneMinus(open.mul(LOST))), 1e-4)).toVar();
+  const width = tone.div(max(there.mul(open.mul(LOST).oneMinus()), 1e-4)).toVar();
   const drawn = select(tone.lessThan(allFrom), min(width, NIB), width).toVar();
   return { family, along: alongLines(h, family), tone, open, allFrom, width: drawn };
 }
@@ -58,7 +56,7 @@ function bornBelow(share: Value): Value {
   const grown = select(
     share.lessThan(1 - 0.5 * BIRTH),
     share.add(0.5 * BIRTH),
-    float(1 + BIRTH).sub(sqrt(max(oneMinus(share).mul(2 * BIRTH), 0))),
+    float(1 + BIRTH).sub(sqrt(max(share.oneMinus().mul(2 * BIRTH), 0))),
   );
   return select(share.lessThan(0.5 * BIRTH), sqrt(share.mul(2 * BIRTH)), grown).toVar();
 }
@@ -116,7 +114,7 @@ function strokeOn(
   const order = fract(turn.add(even.div(3)));
   const grown = clamp(pen.tone.sub(pen.allFrom.mul(order)).div(STROKE_GROWTH), 0, 1).toVar();
   const gap = fract(even.mul(GAP_HASH)).toVar();
-  const inside = oneMinus(abs(way)).sub(pen.open.mul(STROKE_GAP).mul(gap)).sub(oneMinus(grown).mul(SHORTENING));
+  const inside = abs(way).oneMinus().sub(pen.open.mul(STROKE_GAP).mul(gap)).sub(grown.oneMinus().mul(SHORTENING));
   const taper = pen.open.mul(TAPER).toVar();
   const rest = clamp(taper.sub(inside).div(max(taper, 1e-3)), 0, 1).toVar();
   const there = grown.mul(clamp(born.sub(fract(even.mul(BIRTH_HASH))).div(BIRTH), 0, 1));
@@ -133,10 +131,7 @@ function strokeOn(
       .mul(float(0.5).sub(way.mul(way))),
   );
   return vec2(
-    pen.width
-      .mul(there)
-      .mul(spread)
-      .mul(oneMinus(rest.mul(rest))),
+    pen.width.mul(there).mul(spread).mul(rest.mul(rest).oneMinus()),
     handmade.mul(pen.open).mul(astray),
   ).toVar();
 }
@@ -162,7 +157,7 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
   const bits = bitsOfLine(size);
   const first = firstOnLine(along, hash);
   const isFirst = first.greaterThanEqual(0.5).toVar();
-  const other = min(first, oneMinus(first)).toVar();
+  const other = min(first, first.oneMinus()).toVar();
   const strokes = vec2(0).toVar();
   Loop({ start: int(0), end: int(4), type: 'int', condition: '<' }, ({ i }) => {
     const isOther = i.greaterThanEqual(int(2)).toVar();
@@ -170,8 +165,8 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
       .equal(int(1))
       .or(i.equal(int(3)))
       .toVar();
-    const ofAxis = select(isOther, other, oneMinus(other));
-    const share = ofAxis.mul(select(isLonger, along.longer, oneMinus(along.longer))).toVar();
+    const ofAxis = select(isOther, other, other.oneMinus());
+    const share = ofAxis.mul(select(isLonger, along.longer, along.longer.oneMinus())).toVar();
     If(share.greaterThan(0), () => {
       const place = select(isFirst.equal(isOther), along.places.y, along.places.x).toVar();
       const period = select(isLonger, along.period.mul(2), along.period).toVar();

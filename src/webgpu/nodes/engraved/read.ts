@@ -125,7 +125,7 @@ export function readCutLines(
   const triangle = triangleOnScreen(viewToField);
   const { value, gradient } = fieldAt(field, point);
   const along = dot(normal, gradient).toVar();
-  const slope = sqrt(max(float(1).sub(along.mul(along)), 1e-12)).toVar();
+  const slope = sqrt(max(along.mul(along).oneMinus(), 1e-12)).toVar();
   const has = smoothstep(BARE_SLOPE[0], BARE_SLOPE[1], slope).toVar();
   const sideB = across(field.xyz).toVar();
   const sideC = cross(field.xyz, sideB).toVar();
@@ -236,9 +236,10 @@ export function readFormLines(
   };
 }
 
-/** Counterpart of shaders/techniques/engraved/read.glsl. */
-
-/** The parameters of engraving at this fragment. @param cut the field that lines are level sets of */
+/**
+ * Counterpart of shaders/techniques/engraved/read.glsl: the parameters of engraving at this fragment. @param cut the field that lines are
+ * level sets of
+ */
 export const read = (builder: NodeBuilder, cut: LineCut, medium: Medium, shadow: LinesInShadow): HatchingParameters =>
   followsForm(cut.lineField)
     ? readFormLines(builder, { isAcross: cut.lineField === 'acrossForm', medium }, shadow)

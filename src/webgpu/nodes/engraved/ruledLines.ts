@@ -12,14 +12,10 @@ import { FRINGE, octaves, powerOf2, sizedOnScreen } from './strokeLengths.js';
 
 const { abs, ceil, clamp, float, floor, fract, int, Loop, max, min, mix, select } = tsl;
 
-/** Pixels between lines, or 256ths of a tile. */
 const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
-/** Factor on the spacing of lines in a shadow. */
 const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
-/** Tones at full light and at none, and of a full shadow alone. */
 const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
 const shadowTone = /* @__PURE__ */ hatchingUniform('shadowTone', 'float');
-/** Pixels: where lines would lie closer, every other one is left out. */
 const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
 
 /**
@@ -28,10 +24,10 @@ const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
  */
 function lineLeft(line: Value, shadowLeft: Value): Value {
   const { ENDING, LEAST_LEFT, MOST_ENDING } = GROUND_CONSTANTS;
-  const gone = min(float(1).sub(shadowLeft).mul(ENDING).div(max(shadowLeft, LEAST_LEFT)), MOST_ENDING).toVar();
-  const kept = select(gone.lessThan(1), float(1).sub(gone.mul(0.5)), float(0.5).div(gone));
+  const gone = min(shadowLeft.oneMinus().mul(ENDING).div(max(shadowLeft, LEAST_LEFT)), MOST_ENDING).toVar();
+  const kept = select(gone.lessThan(1), gone.mul(0.5).oneMinus(), float(0.5).div(gone));
   // Half a turn from the hash of widths, so that the lines that stay are neither the widest nor the thinnest.
-  return max(float(1).sub(gone.mul(fract(hash01(line).add(0.5)))), 0).div(kept);
+  return max(gone.mul(fract(hash01(line).add(0.5))).oneMinus(), 0).div(kept);
 }
 
 /** The tone that the spacing of cut rows depends on: constant across the edges of a shadow, where cuts widen. */
@@ -93,5 +89,5 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value, m
     covered.addAssign(covering(x.sub(line).mul(pixels).toVar(), room, line.mul(period).toVar()));
   });
   covered.assign(min(covered, 1));
-  return medium === 'woodcut' ? float(1).sub(covered) : covered;
+  return medium === 'woodcut' ? covered.oneMinus() : covered;
 }

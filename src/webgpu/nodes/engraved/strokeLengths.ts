@@ -9,7 +9,6 @@ const { abs, ceil, clamp, cross, dot, float, floatBitsToInt, floor, int, intBits
 const { normalize, select, smoothstep, vec2, vec3 } = tsl;
 const { AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING, LENGTHS_FADE } = STROKE_LENGTH_CONSTANTS;
 
-/** 0: lines spaced on the object, 1: on the screen. */
 export const sizedOnScreen: Value = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');
 
 /** Width over which the edge of a line fades, pixels. */
@@ -28,7 +27,6 @@ export const powerOf2 = (octave: Value): Value => intBitsToFloat(int(octave.mul(
 
 /** Counterpart of shaders/techniques/engraved/strokeLengths.glsl: the strokes that the lines of a family are drawn in. */
 
-/** Pixels, or 256ths of a tile. */
 const strokeLength = /* @__PURE__ */ hatchingUniform('strokeLength', 'float');
 
 /** The coordinates of a fragment along the lines of a family: on the two axes of the field along which the lines run most. */

@@ -9,10 +9,7 @@ const { FULL_GROWTH, FULL_LEAN, LEAST_GROWTH, LEAST_LEAN } = OUTLINE_CONSTANTS;
 
 /** Counterpart of shaders/outlines/contour.glsl: the contour of a smooth surface. */
 
-/** Weight. */
 export const contours: Value = /* @__PURE__ */ hatchingUniform('contours', 'float');
-
-/** Curvature times the bounding radius above which the outline has its full width. */
 const taper = /* @__PURE__ */ hatchingUniform('taper', 'float');
 
 /**
@@ -62,9 +59,8 @@ export function contour(piece: Piece, a: OutlinePoint, b: OutlinePoint, c: Outli
   );
 }
 
-/** Counterpart of shaders/outlines/suggestiveContour.glsl. */
+/** Counterpart of shaders/outlines/suggestiveContour.glsl: lines that would be contours from nearby views. */
 
-/** Weight. */
 export const suggestiveContours: Value = /* @__PURE__ */ hatchingUniform('suggestiveContours', 'float');
 
 export function suggestiveContour(piece: Piece, a: OutlinePoint, b: OutlinePoint, c: OutlinePoint, eye: Value): void {

@@ -21,7 +21,6 @@ const { EDGE_SLOPE, LIFT_SHARE, LOOKED_BESIDE, MOST_RISE, ROUNDING } = OUTLINE_C
  * its own surface does not hide it. It keeps its place on the screen.
  */
 
-/** The `polygonOffsetFactor` of the surface, negated: slopes per pixel by which it is drawn nearer than it lies. */
 const pull = /* @__PURE__ */ hatchingUniform('pull', 'float');
 
 /**
@@ -61,7 +60,7 @@ export const lifted = (position: Value, lift: Value): Value =>
   select(
     isOrthographic(),
     position.add(vec3(0, 0, lift)),
-    position.mul(float(1).sub(min(lift.div(max(length(position), 1e-20)), 0.9))),
+    position.mul(min(lift.div(max(length(position), 1e-20)), 0.9).oneMinus()),
   );
 
 /** Counterpart of shaders/outlines/width.glsl: the width of an outline at an end of a piece. */
@@ -72,12 +71,10 @@ export const halfWidthsAt = ({ weight, innerWeight }: PieceEnd, { HIDDEN }: Outl
 
 /** Counterpart of shaders/outlines/cover.glsl: the screen triangle that covers a piece of outline. */
 
-/** View units per object unit, the mean over directions. */
 const objectScale = /* @__PURE__ */ hatchingUniform('objectScale', 'float');
 
 /** Margin for the antialiased edge, pixels. */
 const FRINGE = 1;
-
 /** A factor on the near distance: just behind the near plane. */
 const BEHIND_NEAR = 1.0001;
 

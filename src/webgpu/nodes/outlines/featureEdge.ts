@@ -16,11 +16,9 @@ import { hasFlag } from './points.js';
 
 const { If, bool, cross, dot, float, max, min, select, vec2 } = tsl;
 
-/** Weights. */
 const borders = /* @__PURE__ */ hatchingUniform('borders', 'float');
 const creases = /* @__PURE__ */ hatchingUniform('creases', 'float');
 const materialBorders = /* @__PURE__ */ hatchingUniform('materialBorders', 'float');
-/** Pixels. */
 const overshoot = /* @__PURE__ */ hatchingUniform('overshoot', 'float');
 
 /** The part of the edge, as t from start to end, where one side faces the eye and the other does not. */

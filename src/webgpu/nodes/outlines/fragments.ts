@@ -45,7 +45,6 @@ export interface OutlineDefines {
 
 /** Counterpart of shaders/outlines/wobble.glsl: the unsteadiness of a hand, a slow screen-space offset that is fixed to the object. */
 
-/** Pixels. */
 export const wobble: Value = /* @__PURE__ */ hatchingUniform('wobble', 'float');
 
 const wave = (p: Value, direction: readonly [number, number, number]): Value => dot(p, vec3(...direction));
@@ -112,13 +111,10 @@ const tooth = /* @__PURE__ */ hatchingUniform('tooth', 'float');
 
 /** The tooth above which the sides fade from the middle on. */
 const SOFT_TOOTH = 0.3;
-
 /** The effect of tooth on outlines, which are pressed harder than hatching. */
 const CAUGHT = 0.75;
-
 /** The range of pressures over which an outline goes from none to full ink. */
 const OUTLINE_SOFTNESS = 0.65;
-
 /** The share of pressure that an unsteady hand loses along the way. */
 const LIFTED = 0.5;
 
@@ -143,7 +139,6 @@ export function dryInk(across: Value, along: Value, pixel: Value): Value {
  */
 
 const ink = /* @__PURE__ */ hatchingUniform('ink', 'color');
-
 const opacity = /* @__PURE__ */ hatchingUniform('opacity', 'float');
 
 /** The point on the spine that a fragment belongs to, view space. Fog depends on it. */

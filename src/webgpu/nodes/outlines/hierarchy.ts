@@ -12,13 +12,9 @@ import { depthAt, isInView, NOWHERE, viewHeightAt, viewport } from './sceneDepth
 const { Break, If, Loop, abs, bool, clamp, dot, float, floor, int, max, min, mix, select, smoothstep, vec2 } = tsl;
 const { ACCENT_REACH, BEGINS_AS_PAPER, BESIDE, BEYOND, CUT_SLOPE, FULL_JUMP, IS_PAPER, LEAST_JUMP } = OUTLINE_CONSTANTS;
 
-/** Pixels. */
 export const outlineWidth: Value = /* @__PURE__ */ hatchingUniform('outlineWidth', 'float');
-/** Factor on the width of an outline where it passes before another, minus 1. */
 export const accents: Value = /* @__PURE__ */ hatchingUniform('accents', 'float');
-/** Whether nearer surfaces do not hide the outline. */
 const isDrawnBefore = /* @__PURE__ */ hatchingUniform('isDrawnBefore', 'float');
-/** Whether parts of the surface are cut out. */
 const isCutOut = /* @__PURE__ */ hatchingUniform('isCutOut', 'float');
 
 /** Longest piece, in pixels, that is tested at its ends; longer ones are tested per fragment. */
@@ -106,7 +102,7 @@ export function lineWeightAt(spine: Spine, place: Value, halfWidth: Value, build
       If(min(gap, last).lessThan(LEAST_JUMP).or(isInView(there).not()), () => {
         Break();
       });
-      const nearness = float(1).sub(step.sub(0.5).div(ACCENT_STEPS)).toVar();
+      const nearness = step.sub(0.5).div(ACCENT_STEPS).oneMinus().toVar();
       accent.assign(max(accent, nearness.mul(smoothstep(LEAST_JUMP, FULL_JUMP, abs(gap.sub(last))))));
       paper.addAssign(nearness.mul(paperness(gap)));
       sum.addAssign(nearness);

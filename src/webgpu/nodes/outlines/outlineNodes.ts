@@ -20,7 +20,6 @@ const { cameraWorldMatrix, renderGroup, uniformArray, viewZToLogarithmicDepth, v
  * primitive has at most one piece of outline, which becomes one screen triangle that covers it with its round ends.
  */
 
-/** The eye in object space; for an orthographic camera w is 0 and xyz the direction to it. */
 const eye = /* @__PURE__ */ hatchingUniform('eye', 'vec4');
 
 function lightsOf(builder: NodeBuilder): readonly Light[] {

@@ -70,7 +70,6 @@ export function endBetween(end: PieceEnd, a: OutlinePoint, b: OutlinePoint, t: V
   end.bend.assign(mix(a.bend, b.bend, at));
 }
 
-/** The weight of contours and borders before a surface, as a share of that before the paper. */
 const innerContours = /* @__PURE__ */ hatchingUniform('innerContours', 'float');
 
 /** Sets the weights of an end. @param ofContour weight as a contour or a border. @param whole weight as anything else */

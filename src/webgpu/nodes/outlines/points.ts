@@ -14,14 +14,10 @@ const outlinePoints = /* @__PURE__ */ hatchingTexture('outlinePoints', /* @__PUR
 
 /** Deformed positions, by vertex; w is 1 where `deformedTurns` has a rotation. */
 const deformedPositions = /* @__PURE__ */ hatchingTexture('deformedPositions', /* @__PURE__ */ blankPoses());
-
 /** The rotation by the skin, or the deformed normal. */
 const deformedTurns = /* @__PURE__ */ hatchingTexture('deformedTurns', /* @__PURE__ */ blankPoses());
-
 /** Whether the mesh deforms. A uniform, since deforming and rigid meshes may share a material. */
 const isDeformed = /* @__PURE__ */ hatchingUniform('isDeformed', 'float');
-
-/** Radius of the bounding sphere, object units. */
 export const radius: Value = /* @__PURE__ */ hatchingUniform('radius', 'float');
 
 export interface OutlinePoint {
@@ -39,7 +35,7 @@ export interface OutlinePoint {
 
 export function octahedralNormal(word: Value): Value {
   const folded = unpackSnorm2x16(word).toVar();
-  const z = float(1).sub(abs(folded.x)).sub(abs(folded.y)).toVar();
+  const z = abs(folded.x).oneMinus().sub(abs(folded.y)).toVar();
   const below = max(z.negate(), 0).toVar();
   const x = folded.x.add(select(folded.x.greaterThanEqual(0), below.negate(), below));
   const y = folded.y.add(select(folded.y.greaterThanEqual(0), below.negate(), below));
@@ -86,13 +82,8 @@ export function readPoint(word: Value, eye: Value): OutlinePoint {
 /** Counterpart of shaders/outlines/primitives.glsl: all primitives, or those in a list (src/mesh/bake/outlineLayout.ts). */
 
 const outlinePrimitives = /* @__PURE__ */ hatchingTexture('outlinePrimitives', /* @__PURE__ */ blankIntegers());
-
-/** The list of primitives, four per texel; with instances two, each with the index of its instance. */
 const candidates = /* @__PURE__ */ hatchingTexture('candidates', /* @__PURE__ */ blankIntegers());
-
-/** Instance matrices, one column per texel. */
 const instancePlaces = /* @__PURE__ */ hatchingTexture('instancePlaces', /* @__PURE__ */ blankFloats());
-
 const isListed = /* @__PURE__ */ hatchingUniform('isListed', 'float');
 
 /** Whether the mesh has instances. A uniform, since three.js would use one program for objects of both kinds. */

@@ -4,20 +4,17 @@ import { blankIntegers, hatchingTexture, hatchingUniform, texelOf } from '../bas
 import { threeNodes, tsl, type Value } from '../base/values.js';
 import { deformVertex } from '../chunks/vertex.js';
 
-const { cross, determinant, dot, float, Fn, If, int, ivec2, mat3, max, normalize, normalLocal, select, uint } = tsl;
+const { cross, determinant, dot, Fn, If, int, ivec2, mat3, max, normalize, normalLocal, select, uint } = tsl;
 const { varyingProperty, vec2, vec3, vec4, vertexIndex } = tsl;
 
 /** Counterpart of shaders/deformation.vert and .frag: writes each vertex, deformed by three.js' nodes, to its texel. */
 
-/** Texture of the `pull` layout. */
 const triangleVertices = /* @__PURE__ */ hatchingTexture('triangleVertices', /* @__PURE__ */ blankIntegers());
-
 /** Size of the render targets, texels. */
 const targetSize = /* @__PURE__ */ hatchingUniform('targetSize', 'vec2');
 
 /** Position in object space; w is 1 if `vTurn` is a rotation. */
 const vPosition = /* @__PURE__ */ varyingProperty('vec4', 'vPosition');
-
 /** Rotation of a vertex by its skin, as a quaternion; the normal where there is no skin. */
 const vTurn = /* @__PURE__ */ varyingProperty('vec4', 'vTurn');
 
@@ -76,7 +73,6 @@ const poseNodes = (hasIndex: boolean): PoseNodes => ({
 
 /** Places vertices by their index: for geometries with an index. */
 export const OF_VERTICES: PoseNodes = /* @__PURE__ */ poseNodes(true);
-
 /** Places the first corner of each vertex: for geometries with the layout `pull`. */
 export const OF_CORNERS: PoseNodes = /* @__PURE__ */ poseNodes(false);
 
@@ -121,9 +117,9 @@ export function turnBack(turn: Value): Value {
   const [x, y, z] = [q.x, q.y, q.z].map((component) => component.mul(2).toVar());
   const { w } = q;
   const columns = [
-    vec3(float(1).sub(y.mul(q.y)).sub(z.mul(q.z)), x.mul(q.y).sub(z.mul(w)), x.mul(q.z).add(y.mul(w))),
-    vec3(x.mul(q.y).add(z.mul(w)), float(1).sub(x.mul(q.x)).sub(z.mul(q.z)), y.mul(q.z).sub(x.mul(w))),
-    vec3(x.mul(q.z).sub(y.mul(w)), y.mul(q.z).add(x.mul(w)), float(1).sub(x.mul(q.x)).sub(y.mul(q.y))),
+    vec3(y.mul(q.y).oneMinus().sub(z.mul(q.z)), x.mul(q.y).sub(z.mul(w)), x.mul(q.z).add(y.mul(w))),
+    vec3(x.mul(q.y).add(z.mul(w)), x.mul(q.x).oneMinus().sub(z.mul(q.z)), y.mul(q.z).sub(x.mul(w))),
+    vec3(x.mul(q.z).sub(y.mul(w)), y.mul(q.z).add(x.mul(w)), x.mul(q.x).oneMinus().sub(y.mul(q.y))),
   ];
   return mat3(...columns).toVar();
 }

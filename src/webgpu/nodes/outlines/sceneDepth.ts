@@ -17,7 +17,6 @@ const { abs, cameraFar, cameraNear, cameraProjectionMatrix, clamp, float, floor,
 const { logarithmicDepthToViewZ, orthographicDepthToViewZ, screenUV, viewportDepthTexture } = threeNodes;
 
 export const nearDistance: Value = /* @__PURE__ */ hatchingUniform('nearDistance', 'float');
-/** x, y, width, height in pixels, counted from the lower left. */
 export const viewport: Value = /* @__PURE__ */ hatchingUniform('viewport', 'vec4');
 
 /** three.js' declaration omits the last parameter. */

@@ -12,9 +12,7 @@ const { cameraViewMatrix, dot, float, length, max, mix, modelNormalMatrix, model
 const { smoothstep, vec3, vec4 } = tsl;
 const { INSIDE, LIT, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, SHADED } = OUTLINE_CONSTANTS;
 
-/** Weights on the lit side and on the shaded side. */
 const shadeWeights = /* @__PURE__ */ hatchingUniform('shadeWeights', 'vec2');
-/** The share to which contours between lit surface and paper are lost. */
 const lostEdges = /* @__PURE__ */ hatchingUniform('lostEdges', 'float');
 
 /** Transforms a position to view space. */
@@ -36,11 +34,18 @@ function shadeEnd(end: PieceEnd, contour: Value, light: Value, sight: Value, pla
   const share = smoothstep(LIT, SHADED, float(0.5).sub(dot(normal, light).mul(0.5)));
   const weight = mix(shadeWeights.x, shadeWeights.y, share).toVar();
   const inside = dot(normalize(normal.add(sight.mul(INSIDE))), light);
-  const from = float(1).sub(lostEdges.mul(LOST_RANGE)).toVar();
+  const from = lostEdges.mul(LOST_RANGE).oneMinus().toVar();
   const to = from.add(lostEdges.mul(LOST_TAPER[1]).add(LOST_TAPER[0]));
   const lost = lostEdges.mul(LOST_WEIGHT[1]).add(LOST_WEIGHT[0]);
   end.innerWeight.mulAssign(weight);
-  end.weight.mulAssign(weight.mul(float(1).sub(contour.mul(lost).mul(smoothstep(from, to, inside)))));
+  end.weight.mulAssign(
+    weight.mul(
+      contour
+        .mul(lost)
+        .mul(smoothstep(from, to, inside))
+        .oneMinus(),
+    ),
+  );
 }
 
 /** @param lights of the scene */
