@@ -20,7 +20,7 @@ export const analyticMaps = {
       darknessOfTone(tone) *
       (0.5 + 0.3 * Math.cos(2 * Math.PI * u) + 0.2 * Math.sin(2 * Math.PI * (2 * v + u)) * Math.cos(2 * Math.PI * v)),
   },
-  /** One constant per tone: what remains is tone and blend weights. */
+  /** One constant per tone, to test tone and blend weights alone. */
   constantPerTone: { size: 4, levels: 1, darkness: (tone: number) => darknessOfTone(tone) },
   /** One constant per tone and level. */
   constantPerLevel: {

@@ -181,7 +181,7 @@ for (const technique of kindsOfTechnique) {
       expect(memory[1].geometries).toBe(memory[0].geometries + 2);
       expect(memory[1].textures).toBeGreaterThan(memory[0].textures);
       expect(memory[1].programs).toBeGreaterThan(memory[0].programs);
-      // What every hatching material shares, such as the one blank texel, may stay.
+      // Resources shared by all hatching materials, such as the blank texel, may stay.
       expect(memory[2].geometries).toBe(memory[0].geometries);
       expect(memory[2].programs).toBe(memory[0].programs);
       expect(memory[2].textures - memory[0].textures).toBeLessThanOrEqual(1);
@@ -355,7 +355,7 @@ test('with a renderer and a camera nothing is left to compile or upload for the 
       outlines: true,
       onProgress: (value) => {
         progress.push(value);
-        // Nothing shows before everything is ready.
+        // The scene is hidden until everything is ready.
         if (ball.material !== material) calls.push('changed early');
       },
     });

@@ -52,7 +52,7 @@ test('a background has the tone that is asked for where nothing lights it, and e
 }) => {
   const { tones, rim } = await page.evaluate(async () => {
     const { THREE, HatchingBackground, makeRenderer, pixelsOf, sceneOf, SIZE } = window.toolkit;
-    // Where the subject hides nothing and the field is as wide as the sheet.
+    // The subject hides nothing there, and the field is as wide as the sheet.
     const subject = new THREE.Mesh(new THREE.PlaneGeometry(9, 9));
     subject.visible = false;
     const background = new HatchingBackground(subject, { spacing: 6, direction: 0.5, extent: 3 });

@@ -8,7 +8,7 @@ import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { HatchingMaterial, type HatchingTechnique, prepareHatchingGeometry } from 'three-hatching';
 import { plainLook } from '../../tools/plainLook.js';
 
-// Each scene shows one thing by itself, and is odd on purpose.
+// Each scene tests one feature and is odd on purpose, so warnings about looks are off.
 HatchingMaterial.silent = true;
 
 const SIZE = 64;
@@ -16,7 +16,7 @@ const GROUND = new THREE.Color(0x00ff00);
 
 type Parameters = THREE.MeshLambertMaterialParameters;
 
-/** Where a feature is shown. `dress` makes the tested material from a geometry and parameters. */
+/** The scene of a feature. `dress` makes the tested material from a geometry and parameters. */
 interface Stage {
   scene: THREE.Scene;
   renderer: THREE.WebGLRenderer;
@@ -30,12 +30,12 @@ interface Stage {
 interface Feature {
   group: 'Light' | 'Shadows' | 'Surface' | 'Vertices' | 'Paper';
   name: string;
-  /** Of the renderer. */
+  /** Options of the renderer. */
   context?: THREE.WebGLRendererParameters;
   show(stage: Stage): Promise<void>;
 }
 
-/** How far a picture is from Lambert's. */
+/** The difference between a picture and Lambert's. */
 export interface Comparison {
   /** Largest difference in 1/255, away from outlines and edges of shadows. */
   difference: number;
@@ -408,7 +408,7 @@ function dressedIn(technique: HatchingTechnique, isPaper: boolean): Stage['dress
 const dressedInLambert: Stage['dress'] = async (geometry, parameters) =>
   new THREE.Mesh(geometry, new THREE.MeshLambertMaterial(parameters));
 
-/** One for each kind of context: programs that several features need are built once. */
+/** A renderer for each kind of context, so that features share programs. */
 const renderers = new Map<string, THREE.WebGLRenderer>();
 
 function rendererFor(context: THREE.WebGLRendererParameters = {}): THREE.WebGLRenderer {
@@ -477,7 +477,7 @@ function compare(hatched: Uint8Array, lambert: Uint8Array, isPaper: boolean): Co
 
 const besideLambert = {
   features: FEATURES.map(({ group, name }) => ({ group, name })),
-  /** Of one feature, with every technique. */
+  /** The differences of one feature, with every technique. */
   async measure(name: string, techniques: readonly HatchingTechnique[]): Promise<Comparison[]> {
     const feature = FEATURES.find((one) => one.name === name);
     if (!feature) throw new Error(`besideLambert: there is no feature ${name}.`);

@@ -173,17 +173,17 @@ function gradientAt({ positions, material }: HatchingSpec): (point: Vec3) => Vec
     quadraticGradient(form[0], point.map((x, axis) => (x - centre[axis]) * material.tilesPerUnit) as Vec3);
 }
 
-/** What the page is to draw for a case. */
+/** The page's input for a case. */
 const specFor = ({ anchorSpacing = 0.35, sizedOnScreen = 0, strokeField, ...rest }: AnchoredCase): HatchingSpec => ({
   ...specOf({ ...rest, sizedOnScreen }, 'anchored'),
   anchorSpacing,
   ...(strokeField && { strokes: { strokeField, ...(strokeField !== 'sheet' && { form }) } }),
 });
 
-/** What is drawn for all cases of `anchored`, by their names. */
+/** The page's input for all cases of `anchored`, by name. */
 export const anchoredSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
 
-/** One of each light, layer, field, placement and look. */
+/** Names of cases that together have each light, layer, field, placement and look. */
 const detailsOf = quickOnly(
   cases.map(({ name }) => name),
   [
@@ -259,10 +259,10 @@ export function compareAnchored(test: TestOnOnePage): void {
         // On the very edge of a stroke a rounding decides.
         if (Math.abs(excess) > 0.01 && value < 128 !== excess > 0) wrong++;
       }
-      // Where few strokes fit into the picture, their share depends on where they lie.
+      // With few strokes in the picture, their share depends on their places.
       expect(inked, 'pixels of ink').toBeGreaterThan(0.08 * interior.length);
       expect(inked, 'pixels of ink').toBeLessThan(0.98 * interior.length);
-      // Where threshold and tone are the same number, rounding leaves a half.
+      // A pixel whose threshold equals the tone may be half dark by rounding.
       expect(grey, 'grey pixels, with hard edges').toBeLessThanOrEqual(2);
       expect(wrong / interior.length, 'share of pixels on the wrong side').toBeLessThanOrEqual(0.01);
       test

@@ -190,7 +190,7 @@ const cases: EngravedCase[] = [
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
 
-/** What the page is to draw for a case. */
+/** The page's input for a case. */
 const specFor = ({ lines, ...rest }: EngravedCase): HatchingSpec => ({
   ...specOf(rest, 'engraved'),
   lines: {
@@ -204,10 +204,10 @@ const specFor = ({ lines, ...rest }: EngravedCase): HatchingSpec => ({
   },
 });
 
-/** What is drawn for all cases of `engraved`, by their names. */
+/** The page's input for all cases of `engraved`, by name. */
 export const engravedSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
 
-/** One of each light, layer, field, placement and look. */
+/** Names of cases that together have each light, layer, field, placement and look. */
 const detailsOf = quickOnly(
   cases.map(({ name }) => name),
   [

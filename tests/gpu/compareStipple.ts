@@ -42,16 +42,16 @@ const cases: StippleCase[] = [
   { name: 'in shadow', lights: [blocked, ambient] },
 ];
 
-/** What the page is to draw for a case. */
+/** The page's input for a case. */
 const specFor = ({ dots, ...rest }: StippleCase): HatchingSpec => ({
   ...specOf(rest, 'anchored'),
   dots: { strokeWidth: 3.2, edgePixels: 1, ...dots },
 });
 
-/** What is drawn for all cases of `stipple`, by their names. */
+/** The page's input for all cases of `stipple`, by name. */
 export const stippleSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
 
-/** One of each light, layer, field, placement and look. */
+/** Names of cases that together have each light, layer, field, placement and look. */
 const detailsOf = quickOnly(
   cases.map(({ name }) => name),
   [

@@ -3,7 +3,7 @@ import type { HatchingMaterial } from 'three-hatching';
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 
-/** What a newcomer sees: a material without anything, on any geometry with normals, in any units. */
+/** Materials without parameters, on any geometry with normals, in any units. */
 
 test('a material without parameters draws a pen drawing in any units, on paper that is blank until its map is there', async ({
   page,

@@ -116,7 +116,7 @@ function texelsOf(renderer: THREE.WebGLRenderer, texture: THREE.Texture): Float3
   return texels;
 }
 
-/** What the pre-pass wrote for each corner of a mesh that its material drew last. */
+/** The output of the pre-pass for each corner of the mesh that was drawn last. */
 function deformedCorners(
   renderer: THREE.WebGLRenderer,
   { geometry, material }: THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>,
@@ -200,7 +200,7 @@ function writeCoordinates(material: HatchingMaterial, first: 0 | 2): void {
       engraved: 'gl_FragColor = vec4(parameters.point, 1.0);',
     }[material.technique],
   );
-  // Each corner is a point on a pixel of its own, whatever the camera.
+  // Each corner is drawn as a point on its own pixel, whatever the camera.
   material.vertexShader = material.vertexShader.replace(
     /}\s*$/,
     `gl_PointSize = 1.0;

@@ -5,7 +5,7 @@ import { test } from './toolkitPage.js';
 
 /** Large meshes drawn with no more triangles than can be seen. */
 
-/** Where the test server has meshoptimizer. */
+/** The URL of meshoptimizer on the test server. */
 const SIMPLIFIER = '/node_modules/meshoptimizer/meshopt_simplifier.js';
 
 /** The number of pixels that are other than the one to the right of them, or the one above. */

@@ -165,7 +165,7 @@ test('a picture of more pixels has the same lines, whatever they are sized on, a
     const sizes = { sizedOnScreen: 1, lineSpacing: 4.5, finestSpacing: 3 };
     const { finestSpacing: _, ...bound } = scaledSizes(sizes, 0.5);
     const full = columnOf(300, sizes);
-    /** How far a column in half the resolution is from that in the full one, seen as small. */
+    /** The difference between a column at half resolution and the full one scaled down. */
     const awayFrom = (half: number[]) => {
       const away = half.map((ink, y) => Math.abs(ink - (full[2 * y] + full[2 * y + 1]) / 2));
       return away.reduce((sum, one) => sum + one) / half.length;
@@ -363,7 +363,7 @@ test('lines run on from mesh to mesh of a scene, whatever the parts are scaled, 
     };
   });
   for (const pixels of differing) expect(pixels).toBeLessThan(60);
-  // What is restored is as it was.
+  // The restored scene draws the same picture.
   expect(apart).toBe(false);
 });
 

@@ -5,7 +5,7 @@ import { test } from './toolkitPage.js';
 
 /** Light from the scene's environment, against three's own Lambert material in the same scene. */
 
-/** What is compared, in words, for every pixel inside the silhouette. */
+/** Luminance of a pixel; it is compared inside the silhouette. */
 const luminance = ([r, g, b]: number[]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 function worst(tone: number[], lambert: number[]): { difference: number; compared: number; spread: number } {
@@ -55,7 +55,7 @@ test(
           const flatShading = toneNormal === 'face';
           const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
           for (const technique of techniques) {
-            // No blend with neighbours, whose tone is another.
+            // No blending with neighbours of another tone.
             const blendAngle = technique === 'adjacency' ? { blendAngle: 0 } : {};
             const tone = show(await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...blendAngle }));
             compared[`${light}, ${technique}, ${toneNormal}`] = [tone, lambert];
@@ -185,7 +185,7 @@ test('an environment builds one program when it comes, none when it turns, dims 
   near(bright, 128);
   for (const pixel of dimmed) near(pixel, 64);
   expect(gone).toEqual([0, 0, 0]);
-  // One program for the material without and one with an environment; three's PMREMGenerator builds its own once, too.
+  // The first frame builds one program. The frame with an environment builds another, and three's PMREMGenerator its own.
   expect(linked[0]).toBe(1);
   expect(linked[3]).toBeGreaterThan(1);
   expect(linked.filter((_, i) => i > 0 && i !== 3).every((count) => count === 0)).toBe(true);
@@ -227,7 +227,7 @@ test('after compileAsync the first frame in an environment links no program', { 
           new THREE.Mesh(new THREE.SphereGeometry(), new THREE.MeshStandardMaterial()),
         );
         await applyHatching(root, { tonalArtMap: greyMap(), material: { technique } });
-        // Only now does it come into a scene, as a model does that has just been loaded.
+        // It is added to the scene only now, as a model after loading.
         const scene = sceneOf(root, sun());
         scene.background = null;
         scene.environment = environment;
@@ -278,7 +278,7 @@ test('an environment is there again after a lost context came back, and what was
     scene.environment = environment;
     const before = pixelsOf(scene, renderer);
     const lost = new Promise((resolve) => {
-      // In a task of its own: while a loss is told, nothing can be restored.
+      // In its own task: a context cannot be restored while the event of its loss is dispatched.
       renderer.domElement.addEventListener('webglcontextlost', () => setTimeout(resolve));
     });
     const restored = new Promise((resolve) => {
@@ -290,7 +290,7 @@ test('an environment is there again after a lost context came back, and what was
     await restored;
     const after = pixelsOf(scene, renderer);
     environment.dispose();
-    // What is said of the deletion below.
+    // Disposing deletes objects of the lost context, which is an error of WebGL; it is cleared here.
     renderer.getContext().getError();
     return [before, after];
   });

@@ -16,7 +16,7 @@ test('outlines of a surface are thinner with its depth, and heavier in front tha
       material: { technique: 'engraved' },
       outlines: { outlineWidth: 2, shadeWeights: [1, 1] },
     });
-    // So lit, the sheets are blank.
+    // In this light the sheets are blank.
     const scene = sceneOf(root, new THREE.AmbientLight('white', 2 * Math.PI));
     scene.background = new THREE.Color('white');
     const renderer = makeRenderer();

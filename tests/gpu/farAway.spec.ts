@@ -2,7 +2,7 @@ import { expect } from '../browser/test.js';
 import { differing } from './pixels.js';
 import { test } from './toolkitPage.js';
 
-/** Where single precision has no room for what lies between two whole numbers. */
+/** A distance at which single precision has no numbers between two integers. */
 const FAR = 2 ** 23;
 
 test('a scene far from the origin of the world is drawn as it is there', async ({ page }) => {
@@ -45,7 +45,7 @@ for (const preset of ['pencil', 'woodcut'] as const) {
         floor.rotation.x = -Math.PI / 2;
         floor.position.y = -0.6;
         const light = sun();
-        // Each object is far by itself, so that no group has a place of its own.
+        // Each object has its own far position; no group is moved.
         const scene = new THREE.Scene().add(ball, floor, light, light.target);
         for (const object of [ball, floor, light, light.target])
           object.position.add(new THREE.Vector3(x, -x / 4, x / 2));

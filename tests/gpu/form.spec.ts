@@ -113,7 +113,7 @@ test('lines stay where they are on a skin that bends, and between them it stays 
       ),
     );
     const geometry = await prepareHatchingGeometry(source, { form: true });
-    // As wide apart as lines may lie.
+    // The greatest spacing of lines.
     const look = { technique: 'engraved', lineField: 'form', handmade: 0, crossFrom: 1, lineSpacing: 999 } as const;
     const material = new HatchingMaterial({ ...look, toneCurve: 'linear', reflectedLight: 0 });
     const mesh = new THREE.SkinnedMesh(geometry, material);
@@ -137,7 +137,7 @@ test('lines stay where they are on a skin that bends, and between them it stays 
       const toCamera = camera.position.clone().sub(face.a).normalize();
       if (face.getNormal(new THREE.Vector3()).dot(toCamera) < 0.6) continue;
       const [from, to] = [formValue.getX(a), formValue.getX(b)];
-      // Where φ is a multiple of 4 there is a line; between two there is none.
+      // Lines lie where φ is a multiple of 4.
       for (const [rest, found] of [
         [0, onLines],
         [2, between],

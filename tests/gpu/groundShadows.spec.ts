@@ -42,7 +42,7 @@ for (const [filter, kind] of maps) {
               const tone = 1 - pixels[4 * i] / 255;
               count++;
               worst = Math.max(worst, Math.abs(tone - 0.5 * left));
-              // Where nothing should be left, with a margin, nothing is printed.
+              // Beyond the end of the shadow, with a margin, the ground is blank.
               if (shadowFade * distance > 1.1) blank = Math.max(blank, tone);
             }
             return { shadowFade, count, worst, blank };
@@ -201,7 +201,7 @@ for (const [filter, kind, isReversed] of softMaps) {
   );
 }
 
-/** Where a row that falls from 1 to 0 crosses a value, in pixels. */
+/** The pixel at which a row that falls from 1 to 0 crosses a value. */
 function placeOf(row: number[], value: number): number {
   const after = row.findIndex((v) => v < value);
   return after - (value - row[after]) / (row[after - 1] - row[after]);

@@ -5,7 +5,7 @@ import type { HatchingSpec } from './hatchingSpec.js';
 import { inBase64 } from './inBase64.js';
 import { specScene } from './specScene.js';
 
-// What is measured is one thing by itself, and not a scene that somebody would draw.
+// Scenes test one thing each and are odd on purpose, so warnings about looks are off.
 HatchingMaterial.silent = true;
 
 const renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });

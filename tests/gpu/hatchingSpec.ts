@@ -4,7 +4,7 @@ import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
 import type { Quadratic } from './quadratics.js';
 
-/** What only `engraved` has. */
+/** Properties of `engraved` alone. */
 export interface LineSettings {
   lineField: 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant' | 'form' | 'acrossForm';
   /** For the last two: the functions whose level sets are lines, and those of the crossing lines. */
@@ -35,7 +35,7 @@ export interface HatchingSpec {
   map: AnalyticMapName;
   /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
   anchorSpacing?: number;
-  /** What strokes follow, if not the light: for the form, the functions that were baked. */
+  /** The field of strokes, if not that of the light: for the form, the baked functions. */
   strokes?: { strokeField: StrokeField; form?: readonly [first: Quadratic, crossing: Quadratic] };
   sizedOnScreen?: number;
   /** For the medium `stipple` of the technique `anchored`: the dots. */
@@ -43,6 +43,6 @@ export interface HatchingSpec {
   /** For the technique `engraved`, which draws the mesh unprepared too. */
   lines?: LineSettings;
   doubleSided?: boolean;
-  /** How much the mesh matters. Default: 1. */
+  /** Importance of the mesh. Default: 1. */
   importance?: number;
 }

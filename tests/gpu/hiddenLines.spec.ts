@@ -24,7 +24,7 @@ test('the three hidden edges of a cube are dashed from corner to corner, or fain
       return draw(scene, camera, rendererOf(size));
     };
     const [none, dashed, faint] = [drawn('none'), drawn('dashed'), drawn('faint')];
-    /** What is drawn beside the outlines that are seen. */
+    /** The ink added to the visible outlines. */
     const added = (ink: Float32Array) => ink.map((darkness, i) => darkness - none[i]);
     /** Ink along the way from the far corner to another, over the width of the line. */
     const profile = (ink: Float32Array, to: [number, number, number]) => {
@@ -104,7 +104,7 @@ test('hidden contours of curved bodies are dashed, of instances too, whatever hi
     expect(inks[1], name).toBeGreaterThan(inks[0] + 40);
     expect(inks[2], name).toBe(inks[0]);
   }
-  // Of a sphere that a plate hides as a whole nothing is seen but its dashes.
+  // A sphere wholly behind a plate shows only its dashes.
   expect(found[2].inks[0]).toBeLessThan(1);
 });
 

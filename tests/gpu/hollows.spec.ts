@@ -139,7 +139,7 @@ for (const preset of Object.keys(presets) as PresetName[]) {
           }
         }
         expect(places.length).toBeGreaterThan(3000);
-        // Nothing is darker than what chalk leaves bare and a woodcut prints solid, shadows among it.
+        // The bare ground of chalk and the solid ink of a woodcut are the darkest tones, shadows included.
         const isPlain = preset === 'chalk' || preset === 'woodcut';
         const equal = isPlain ? (place: { isIn: boolean }) => Number(place.isIn) : () => 0;
         places.sort((a, b) => b.dark - a.dark || equal(b) - equal(a));

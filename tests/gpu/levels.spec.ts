@@ -118,7 +118,7 @@ test('where strokes crowd at a slant their tone is shown, not some of them: cris
 /** Strokes that stand upright on the wall. */
 const upright = { strokeRotation: Math.PI / 2 } satisfies Way;
 
-/** Of red in [0, 1], in the middle of the picture, where a wall at any slant is seen. */
+/** The mean of red in [0, 1] in the middle of the picture, which a wall covers at any slant. */
 function spread(red: number[]): { mean: number; deviation: number } {
   const values = red.filter((_, i) => Math.abs((i % SIDE) - SIDE / 2) < 16).map((value) => value / 255);
   const mean = values.reduce((sum, value) => sum + value, 0) / values.length;

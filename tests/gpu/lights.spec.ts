@@ -304,7 +304,7 @@ for (const technique of ['adjacency', 'anchored'] as const) {
 
 /** Strokes run along these directions, in degrees from a row, counter-clockwise, and along no others. */
 function expectAngles(pixels: number[], angles: number[]): void {
-  // How much brightness changes, by the direction along which it does not: in steps of 5°.
+  // The change of brightness, by the direction along which it is constant, in steps of 5°.
   const histogram = new Float64Array(36);
   const value = (x: number, y: number) => pixels[4 * (y * 96 + x)];
   for (let y = 1; y < 95; y++) {

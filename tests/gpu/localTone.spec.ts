@@ -76,7 +76,7 @@ test('colour of the material, its map and its vertices count together, and what 
   });
   const luminance = 0.8 * 0.5 * (128 / 255);
   const lightness = 1.16 * Math.cbrt(luminance) - 0.16;
-  // What it gives off lightens the tone, and hides as much of the darkness of its colour.
+  // Emitted light lightens the tone, and hides as much of the darkness of the colour.
   expect(centre(shown)[0] / 255).toBeCloseTo(0.6 * (1 - 0.9 * (1 - lightness)), 2);
 });
 

@@ -226,7 +226,7 @@ const cases: Case[] = [
 
 type ShadeArguments = Parameters<HatchingReference['shade']>;
 
-/** What the reference says of every pixel in the interior of a triangle. */
+/** The reference's values for every pixel in the interior of a triangle. */
 function expected<Shade>(
   spec: HatchingSpec,
   shade: (reference: HatchingReference, ...at: ShadeArguments) => Shade,
@@ -295,7 +295,7 @@ function specOf({ mesh, ...rest }: Case): HatchingSpec {
   };
 }
 
-/** One of each mesh, light, technique, tone model, layer, placement and look. */
+/** Names of cases that together have each mesh, light, technique, tone model, layer, placement and look. */
 const detailsOf = quickOnly(
   cases.map(({ name }) => name),
   [

@@ -106,7 +106,7 @@ test('the tooth stays with the sheet, the strokes with the model; tiles of a pic
       strokes: differing(from(0, 2, 0), from(0.31, 2, 0)),
       values: new Set(grain).size,
     };
-    // These are the whole picture and its four quarters.
+    // The whole picture and its four quarters.
     const whole = from(0, 2, 0.5);
     let seams = 0;
     for (const [x, y] of [
@@ -178,7 +178,7 @@ test('grain runs along the strokes, and a flat wall has no marbling', { tag: '@a
           // Grain runs across the direction of the steepest changes.
           const along = 90 + (0.5 * Math.atan2(2 * xy, xx - yy) * 180) / Math.PI;
           const turned = Math.abs(((along - degrees + 270) % 180) - 90);
-          // Of the tone of squares, a few strokes wide.
+          // The tone of squares that are a few strokes wide.
           const square = 32;
           const means = Array.from({ length: (side / square) ** 2 }, (_, i) => {
             const [left, below] = [square * (i % (side / square)), square * Math.floor((i * square) / side)];

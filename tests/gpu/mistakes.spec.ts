@@ -1,7 +1,7 @@
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 
-/** What the library says of mistakes, drawn by a real renderer; tests/unit/material/firstDraw has all of them. */
+/** Warnings on the first draw with a real renderer; tests/unit/material/firstDraw has all of them. */
 
 test('an ordinary scene is drawn without a word, and mistakes are said once, whatever is drawn after', async ({
   page,

@@ -112,7 +112,7 @@ for (const technique of techniques) {
         );
         const instances = new THREE.InstancedMesh(flat.geometry, flat.material, 1);
         const instanced = pixelsOf(sceneOf(instances, light), renderer);
-        // Only these two draw geometry without adjacency.
+        // The two techniques that draw geometry without adjacency.
         const material = new HatchingMaterial({ technique, debugView: 'tone' });
         const bare = new THREE.Mesh(new THREE.PlaneGeometry(1, 1, 8, 8), material);
         const unprepared =

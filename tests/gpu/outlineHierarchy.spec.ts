@@ -1,7 +1,7 @@
 import { quickIf } from '../browser/quickIf.js';
 import { expect, testOnOnePage as onOnePage } from '../browser/test.js';
 
-/** How much outlines weigh: before the paper and before a surface, in light and in shade, where one passes before another. */
+/** Line weight: before paper and before a surface, in light and in shade, and where an outline passes before another. */
 
 const test = onOnePage('tests/gpu/outlines.html');
 
@@ -57,7 +57,7 @@ for (const lostEdges of [0, 0.2, 0.6, 1]) {
           0.1 + 0.05 * expected[i],
         );
       });
-      // Where they are lost a thin line is left, so that none is in pieces.
+      // Lost outlines keep a thin line, so that none breaks up.
       if (lostEdges > 0) expect(Math.min(...widths) / (5 * 0.6)).toBeCloseTo(0.47 - 0.35 * lostEdges, 1);
       expect(Math.max(...widths)).toBeGreaterThan(7.5);
     },
@@ -122,7 +122,7 @@ test('a contour becomes heavier towards the place where another one ends behind 
   expect(atJunction).toBeGreaterThan(5.2);
   expect(atJunction).toBeLessThan(6.3);
   for (const away of [0, 10, 20, 100, 110, 120]) expect(Math.abs(widths[away] - 4), `${away}`).toBeLessThan(0.25);
-  // It grows by steps that are too small to be seen.
+  // It grows in steps too small to be visible.
   widths.forEach((width, i) => {
     if (i > 0) expect(Math.abs(width - widths[i - 1])).toBeLessThan(0.75);
   });

@@ -1,4 +1,4 @@
-/** What the tests of outlines draw with: white paper, black outlines, and the pictures as darkness per pixel. */
+/** Scenes of the tests of outlines: white paper, black outlines, and pictures as darkness per pixel. */
 import './toolkit.js';
 import * as THREE from 'three';
 import { STLExporter } from 'three/addons/exporters/STLExporter.js';
@@ -107,7 +107,7 @@ function draw(scene: THREE.Scene, camera: THREE.Camera, renderer = rendererOf(40
   return inkOf(renderer);
 }
 
-/** Where a point of the world lies in a picture of so many pixels a side, from its top left corner. */
+/** The pixel of a world position, from the top left corner of a picture of the given size. */
 function pixelOf(point: THREE.Vector3, camera: THREE.Camera, size: number): { x: number; y: number } {
   const { x, y } = point.clone().project(camera);
   return { x: (0.5 + 0.5 * x) * size, y: (0.5 - 0.5 * y) * size };

@@ -46,7 +46,7 @@ test('layers, opacity, colour and scale of a mesh are those of its outlines', as
   for (const name of ['layer', 'seeThrough', 'colourless', 'nothing'] as const) expect(inks[name], name).toBe(0);
   for (const name of ['layers', 'opaque', 'forward', 'backward'] as const)
     expect(inks[name] / whole, name).toBeCloseTo(1, 1);
-  // Where pieces of a line overlap, they darken each other.
+  // Overlapping pieces of a line darken each other.
   expect(inks.faded / whole).toBeGreaterThan(0.2);
   expect(inks.faded / whole).toBeLessThan(0.4);
 });
@@ -154,7 +154,7 @@ test('groups of a mesh fade, vanish and are cut with what draws them', async ({ 
     expect(whole[edge], edge).toBeGreaterThan(0.9);
     expect(open[edge], edge).toBeGreaterThan(0.9);
   }
-  // What lies between it and the sides that do not fade is of those.
+  // The edge between it and the sides that do not fade belongs to those sides.
   expect(faded.upper).toBeGreaterThan(0.9);
   for (const edge of ['upper', 'lower', 'front'] as const) expect(alone[edge], edge).toBeGreaterThan(0.9);
   expect(alone.right).toBe(0);
@@ -194,7 +194,7 @@ test('where a picture or vertices cut a surface away, it has no outlines', async
       const at = (x: number, y: number, z: number) =>
         inkNear(ink, 200, pixelOf(new THREE.Vector3(x, y, z), camera, 200), 2);
       return {
-        // Of the side before: the edge below, where it is and where it is not.
+        // The lower edge of the front side: where it is drawn and where it is not.
         kept: at(-0.25, -0.5, 0.5),
         cut: at(0.25, -0.5, 0.5),
         // Between it, where it is not, and the side to the right, which is there.

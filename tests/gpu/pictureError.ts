@@ -6,7 +6,7 @@ export interface PictureError {
   mean: number;
   /** Share of pixels whose worst channel is off by at most 4 of 255. */
   share: number;
-  /** How many values there are in the picture. */
+  /** Number of values in the picture. */
   values: number;
 }
 
@@ -28,7 +28,7 @@ export function pictureError(pixels: ArrayLike<number>, reference: ReadonlyMap<n
   return { mean: sum / reference.size, share: near / reference.size, values: values.size };
 }
 
-/** What is asked of every comparison with the reference. */
+/** Asserts the limits of every comparison with the reference. */
 export function expectEqualPictures({ mean, share, values }: PictureError): void {
   expect(values, 'a picture of more than one colour').toBeGreaterThan(2);
   expect(mean, 'mean absolute error of 255').toBeLessThanOrEqual(0.75);

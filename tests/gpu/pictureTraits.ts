@@ -6,9 +6,9 @@ export interface PictureTraits {
   ink: number;
   /** Share of the ink that is neither ink nor paper. */
   grey: number;
-  /** How long the edges of the ink are for its area: large for fine strokes and dots, small for broad ones. */
+  /** Length of the edges of the ink per area: large for fine strokes and dots, small for broad ones. */
   fineness: number;
-  /** How much strokes side by side run the same way: 1 for parallel lines, 0 for dots. */
+  /** Coherence of neighbouring strokes: 1 for parallel lines, 0 for dots. */
   coherence: number;
   /** Shares of the edges that run in each direction of half a circle; together 1. */
   directions: readonly number[];
@@ -48,7 +48,7 @@ export function pictureTraits({ width, height, data }: PNG): PictureTraits {
   };
 }
 
-/** How far two drawings are apart in each trait. */
+/** The difference of two drawings in each trait. */
 export function traitDistances(a: PictureTraits, b: PictureTraits): Record<keyof PictureTraits, number> {
   return {
     ink: Math.abs(a.ink - b.ink),

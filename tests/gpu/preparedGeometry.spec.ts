@@ -118,7 +118,7 @@ test('geometry without its adjacency is told what to do', async ({ page, pagePro
     const source = mergeGeometries([-0.7, 0.7].map((x) => new THREE.BoxGeometry(0.8, 0.8, 0.8).translate(x, 0, 0)));
     return {
       expected: pixelsOf(sceneOf(await hatchedMesh(source), sun()), renderer),
-      // What the message proposes.
+      // The remedy that the message names.
       preparedAgain: draw(await prepareHatchingGeometry(pulled, { adjacency: true })),
       corner: draw(mergeGeometries(await halves('corner'))),
     };

@@ -25,7 +25,7 @@ export interface ReferenceCase {
   importance?: number;
 }
 
-/** What the page is to draw for a case. */
+/** The page's input for a case. */
 export function specOf(
   { mesh = torus, lights, matrixWorld, isOrthographic, material, sizedOnScreen = 1, importance = 1 }: ReferenceCase,
   technique: 'anchored' | 'engraved',

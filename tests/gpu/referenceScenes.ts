@@ -63,7 +63,7 @@ export const spot: ReferenceLight = {
   decay: 0,
 };
 export const fadingSpot: ReferenceLight = { ...spot, color: white(14), distance: 5, decay: 1.5 };
-/** As strong as each other, from directions that have nothing in common. */
+/** Two equally strong lights from very different directions. */
 export const crossed: ReferenceLight[] = [
   { type: 'directional', color: white(1.4), position: [2, 0.3, 1.2] },
   { type: 'directional', color: white(1.4), position: [-0.2, 2, 1] },

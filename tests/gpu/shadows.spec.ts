@@ -192,7 +192,7 @@ for (const technique of techniques) {
         expect(outside.most, choice).toBe(0);
         expect(grey.count).toBeGreaterThan(1500);
         expect(grey.most, choice).toBeLessThanOrEqual(2);
-        // Of a few strokes the mean is what it happens to be.
+        // The mean of a few strokes is arbitrary.
         expect(Math.abs(inside.means[0] - inside.means[1]), choice).toBeLessThan(0.04);
       }
     },
@@ -406,7 +406,7 @@ for (const technique of techniques) {
         const turned = await show(plain);
         const pictures = [await show(instances), await show(skin)].map((pixels) => [pixels, turned]);
         if (technique === 'anchored') {
-          // What a depth buffer is to a shadow does not depend on the technique.
+          // The effect of the depth buffer on shadows does not depend on the technique.
           material.shadowStrokes = 'cross';
           const crossed = await show(plain);
           pictures.push([await show(plain, { logarithmicDepthBuffer: true }), crossed]);

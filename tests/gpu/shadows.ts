@@ -71,7 +71,7 @@ function casting(light: ShadowLight, radius = 0): ShadowLight {
 function texelOf(kind: LightKind, light: ShadowLight): number {
   const camera = light.shadow.camera as THREE.OrthographicCamera;
   if (kind === 'sun') {
-    // This is the texel of the coarser cascade.
+    // The texel of the coarser cascade.
     const cascades = light.shadow as unknown as { getCamera(index: number): typeof camera };
     const widths = [0, 1].map((index) => cascades.getCamera(index)).map(({ left, right }) => right - left);
     return Math.max(...widths) / light.shadow.mapSize.x;
@@ -164,7 +164,7 @@ function plate(height: number): THREE.Mesh {
 }
 
 /**
- * How much of a round lamp is seen past the plate, along the middle row of the picture: the mean of rays to places all over it.
+ * The visible share of a round lamp past the plate, along the middle row of the picture: the mean of rays to points all over the lamp.
  *
  * @param softness the width of the lamp as a share of its distance
  */
@@ -280,7 +280,7 @@ function draw(scene: THREE.Scene, renderer = rendererOf(), camera: THREE.Camera 
   return pixels;
 }
 
-/** How pixels of a picture differ from those of another, where `isAsked` is true of their index. */
+/** The differences between two pictures at the pixels for whose index `isAsked` is true. */
 function compared(a: Uint8Array, b: Uint8Array, isAsked: (i: number) => boolean) {
   let [count, differing, most, meanA, meanB] = [0, 0, 0, 0, 0];
   for (let i = 0; i < a.length / 4; i++) {

@@ -68,7 +68,7 @@ function analyticThresholdMap(): TonalArtMap {
     );
     return { size: side, encoded, thresholds: new Float32Array() };
   });
-  // These moments tell the material that the field is standard normal: the reference does not correct the variance either.
+  // These moments declare the field standard normal: the reference does not correct the variance either.
   const thresholdMoments = { variance: 1, coarserVariance: 1, covariance: 0 };
   return {
     size,
@@ -78,7 +78,7 @@ function analyticThresholdMap(): TonalArtMap {
     thresholdMoments,
     isTonalArtMap: true,
     isReady: true,
-    // No technique that reads thresholds reads this.
+    // Techniques that read thresholds do not read this.
     texture: new DataArrayTexture(),
   } as unknown as TonalArtMap;
 }

@@ -8,11 +8,11 @@ interface Dot {
   x: number;
   y: number;
   area: number;
-  /** Of the longer axis of its ellipse to the shorter. */
+  /** Ratio of the longer axis of its ellipse to the shorter. */
   aspect: number;
 }
 
-/** What the page does for these tests. */
+/** The page's functions for these tests. */
 interface Stage {
   /** Darkness of every pixel, 0 to 1, row by row from below. */
   draw(change?: {
@@ -146,7 +146,7 @@ test(
       expect(aspects.length).toBeGreaterThan(100);
       expect(middle(aspects), `aspect at ${slant}°`).toBeLessThan(1.1);
       expect(middle(aspects, 0.9), `aspect at ${slant}°`).toBeLessThan(1.3);
-      // Where dots are being born the set is less even, and at a slant it is seen foreshortened. Dots at random would have 0.47.
+      // The set is less even while dots appear, and foreshortened at a slant. Random dots would have 0.47.
       for (const value of even)
         expect(value, `evenness at ${slant}°`).toBeGreaterThan({ 0: 0.75, 45: 0.7, 60: 0.65, 70: 0.6 }[slant]!);
       expect(merged, `merged at ${slant}°`).toBeLessThan(slant < 70 ? 0.08 : 0.25);
@@ -195,10 +195,10 @@ test('as the tone deepens dots crowd and shrink, and from 0.95 on nothing is lef
     const lights = [0.04, 0.08, 0.13, 0.2, 0.28, 0.36].map((tone) => {
       const dots = walls.flatMap((wall) => [1, 1.3].flatMap((zoom) => dotsOf(draw({ tone, wall, zoom, dot: 9 }))));
       const areas = dots.map(({ area }) => area).sort((a, b) => a - b);
-      // Those that are being born are smaller, and some have merged.
+      // Appearing dots are smaller, and some dots have merged.
       return { count: dots.length, area: areas[Math.floor(0.75 * areas.length)] };
     });
-    // What is left of the paper, in pieces.
+    // The pieces of paper that are left.
     const paper = [0.74, 0.78, 0.82, 0.86].map((tone) => {
       const specks = walls.flatMap((wall) => dotsOf(draw({ tone, wall, dot: 9 }).map((ink) => 1 - ink)));
       return specks.reduce((sum, { area }) => sum + area, 0) / specks.length;
@@ -209,7 +209,7 @@ test('as the tone deepens dots crowd and shrink, and from 0.95 on nothing is lef
   for (const [i, { count }] of found.lights.entries()) {
     if (i > 0) expect(count, JSON.stringify(found.lights)).toBeGreaterThan(1.1 * found.lights[i - 1].count);
   }
-  // One pen draws all of the lights, but for what births and merging make of its dots.
+  // Dots of the lights have one size, except for appearing and merged ones.
   const areas = found.lights.map(({ area }) => area);
   expect(Math.max(...areas) / Math.min(...areas), JSON.stringify(found.lights)).toBeLessThan(1.3);
   for (const [i, area] of found.paper.entries()) {
@@ -234,7 +234,7 @@ test('dots stay where they are on the surface, while others are born and die', a
     const nearer = [1.05, 1.4, 2, 2.9].map((zoom) =>
       kept(dotsOf(draw({ ...look, zoom })), (x, y) => [127.5 + zoom * (x - 127.5), 127.5 + zoom * (y - 127.5)]),
     );
-    // Nothing appears at once: a little nearer, little ink is elsewhere than the motion takes it.
+    // Dots appear gradually: after a small step of the camera little ink is elsewhere than the motion takes it.
     const slanted = kept(dotsOf(draw({ ...look, slant: 12 })), (x, y) => [
       x,
       127.5 + Math.cos((12 * Math.PI) / 180) * (y - 127.5),
@@ -249,7 +249,7 @@ test('dots stay where they are on the surface, while others are born and die', a
   });
   expect(found.count).toBeGreaterThan(60);
   expect(found.shifted).toBeGreaterThan(0.97);
-  // No dot disappears while the camera approaches, at whatever distance it has appeared.
+  // Dots stay while the camera approaches, whatever the distance at which they appeared.
   for (const share of found.nearer) expect(share, `${found.nearer}`).toBeGreaterThan(0.9);
   expect(found.slanted).toBeGreaterThan(0.9);
   expect(found.changed).toBeLessThan(5);

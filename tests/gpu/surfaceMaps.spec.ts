@@ -20,7 +20,7 @@ function worst(tone: number[], lambert: number[]): number {
   return most;
 }
 
-// One that shades triangles and one that shades fragments: each map by itself is drawn with every technique in besideLambert.spec.ts.
+// One technique that shades triangles and one that shades fragments; besideLambert.spec.ts draws each map with every technique.
 for (const technique of ['triangle', 'engraved'] as const) {
   test(
     `maps, emitted light and flat shading make the tone of three's Lambert, set late too: ${technique}`,

@@ -51,7 +51,7 @@ function sample(map: TonalArtMap, level: number, shift = 0, octaves = level): Fl
       thresholdMapSize: { value: map.size },
       thresholdMapTexel: { value: new Vector2(1 / width, 1 / height) },
       thresholdMapLevels: { value: map.levels },
-      // No contrast is given back, so that what is read is what is stored.
+      // Contrast is not restored, so that the stored values are read.
       thresholdMoments: { value: new Vector3(1, 1, 1) },
       size: { value: size },
       octaves: { value: octaves },

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { TonalArtMap } from 'three-hatching';
 
-/** How the map is sampled: at an explicit level, or as a material does, where the level follows from the coordinates. */
+/** The sampling of the map: at an explicit level, or with the level that follows from the coordinates, as in a material. */
 type Sampling = 'explicitLevel' | 'automaticLevel';
 
 interface Sample {

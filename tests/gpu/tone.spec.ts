@@ -38,7 +38,7 @@ async function measureTones(style: StrokeStyleName): Promise<number[]> {
   const pixels = new Uint8Array(side * side * 4);
   const errors = [];
   for (const level of [0, 0.25, 0.5, 0.75]) {
-    // So large that the map is too fine by so much of a level.
+    // The size at which the map is too fine by this share of a level.
     mesh.material.tilesPerUnit = (2 ** level * side) / (2 * size);
     for (const tone of [0.15, 0.4, 0.7]) {
       light.position.set(Math.sqrt(1 - (1 - tone) ** 2), 0, 1 - tone);

@@ -1,6 +1,6 @@
 /** Counting the rows of varyings that two stages of a program need, after GLSL ES 3.00, section 11. */
 
-/** What is left of a shader once its conditions are decided, and the names of maps' coordinates replaced by what they stand for. */
+/** A shader with its conditions resolved and the names of map coordinates replaced. */
 export function preprocessed(source: string): string {
   const macros = new Map<string, string>();
   const open: { isOn: boolean; wasOn: boolean }[] = [];

@@ -80,7 +80,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored', 'engraved'] as con
   }
 }
 
-/** What phones of the middle range pass on at full speed. */
+/** The number of varyings at which mid-range phones keep full speed. */
 const ROWS_OF_PLAIN_LOOKS = 8;
 
 test('looks as they are by default, under one light, need few rows', { tag: '@all' }, async ({ page }) => {

@@ -80,7 +80,7 @@ for (const kind of ['print', 'pen'] as const) {
           },
           [svg, time] as const,
         );
-      /** How dark the page is, in all. */
+      /** Mean darkness of the page. */
       const darkness = async (): Promise<number> => {
         const data = (await page.locator('svg').screenshot()).toString('base64');
         return page.evaluate(async (data) => {

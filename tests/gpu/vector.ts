@@ -1,4 +1,4 @@
-/** What the tests of vector files in a browser draw with. */
+/** Helpers of the tests of vector files in a browser. */
 import './toolkit.js';
 import * as THREE from 'three';
 import { drawSVG } from 'three-hatching/svg';

@@ -1,4 +1,4 @@
-/** Which lines of a scene are seen, by rays: what outlines are compared with. */
+/** The visible lines of a scene, found by rays; outlines are compared with them. */
 import * as THREE from 'three';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 
@@ -84,7 +84,7 @@ export function visibleLines(
   return seen;
 }
 
-/** How much of an outline drawn `width` pixels wide is wrong: pixels of length that are missing, and that no line explains. */
+/** Errors of an outline drawn `width` pixels wide: pixels of length that are missing, and those that no line explains. */
 export function wrongLength(
   ink: Float32Array,
   seen: readonly { x: number; y: number }[],

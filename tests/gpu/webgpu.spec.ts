@@ -2,7 +2,7 @@ import { expect, test } from '../browser/test.js';
 
 const THREES = [
   /Material "Hatching(Outline)?Material" is not compatible/,
-  // Of the material that three.js draws in the place of that of outlines.
+  // The warning about the material that three.js draws instead of that of outlines.
   /Vertex attribute "position" not found on geometry/,
 ];
 

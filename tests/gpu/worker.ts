@@ -75,7 +75,7 @@ async function prepareAndDigest(options?: PrepareHatchingGeometryOptions, geomet
   return { digest: await digest(prepared), statistics: prepared.userData.hatching, bounds: prepared.boundingSphere };
 }
 
-// What is drawn here is of no interest, and has neither maps nor enough light.
+// Pictures do not matter here, so warnings about missing maps and light are off.
 HatchingMaterial.silent = true;
 
 const largeTorus = () => new TorusGeometry(1, 0.4, 300, 300);

@@ -61,7 +61,7 @@ export function compareWithGolden(actual: Picture, golden: Picture): Verdict {
   };
 }
 
-/** How far the picture is from white, summed. Never 0, so that two blank pictures have a ratio. */
+/** The sum of the distances from white. Never 0, so that two blank pictures have a ratio. */
 function inkOf({ data }: Picture): number {
   let ink = 1;
   for (let i = 0; i < data.length; i += 4) ink += 765 - data[i] - data[i + 1] - data[i + 2];

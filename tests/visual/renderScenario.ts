@@ -32,7 +32,7 @@ export interface RenderedPixels {
   base64: string;
 }
 
-/** What a test may change on purpose, to see the gate close. */
+/** Deliberate changes that the comparison must notice. */
 export interface Deviation {
   /** Factor on the width of every stroke, which stays where it is. */
   strokeWidth?: number;
@@ -70,7 +70,7 @@ window.renderScenario = async (scenario, deviation = {}) => {
   return { width, height, base64: toBase64(pixels) };
 };
 
-/** What a picture shows, and the colour behind it. */
+/** The scene of a picture and its background colour. */
 interface Drawn {
   object: Object3D;
   paper: ColorRepresentation;

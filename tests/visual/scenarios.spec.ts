@@ -22,7 +22,7 @@ async function render(page: Page, scenario: Scenario, deviation?: Deviation): Pr
   return { width, height, data: Buffer.from(base64, 'base64') };
 }
 
-/** One picture of each technique, model, layer and kind of stroke. */
+/** Names of pictures that together have each technique, model, layer and kind of stroke. */
 const detailsOf = quickOnly(
   scenarios.map(({ name }) => name),
   [

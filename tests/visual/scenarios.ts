@@ -17,18 +17,18 @@ export interface ScenarioLight {
   intensity: number;
 }
 
-/** One picture, told completely: the same scenario gives the same pixels. */
+/** A complete description of a picture: the same scenario gives the same pixels. */
 export interface Scenario {
   /** The golden's file name. */
   name: string;
   /** The number of the figure in Suarez et al.; 0 if there is none. */
   figure: number;
-  /** What the picture shows. */
+  /** Description of the picture. */
   sentence: string;
   model: ScenarioModel;
   /** Radians about x, y and z, applied in this order. */
   modelRotation?: Triple;
-  /** It looks at the origin unless it has a target. */
+  /** The camera, which looks at the origin by default. */
   camera: { position: Triple; fov: number; target?: Triple };
   lights: readonly ScenarioLight[];
   tonalArtMap: Pick<NonNullable<Parameters<typeof TonalArtMap.generate>[0]>, 'style' | 'seed' | 'size' | 'tones'>;
@@ -58,7 +58,7 @@ export interface Scenario {
       | 'handmade'
     >
   >;
-  /** Of the outlines, if there are any. */
+  /** Parameters of the outlines, if any. */
   outlines?: Pick<HatchingOutlineParameters, LineSetting>;
   /** Pixels. */
   size: readonly [width: number, height: number];

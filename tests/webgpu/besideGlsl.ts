@@ -6,15 +6,15 @@ import { cases as selected } from '../selection.mjs';
 import { type Comparison, NOTICEABLE } from './picturesOf.js';
 import type { SceneCase } from './SceneCase.js';
 
-/** Tests on the page that draws in GLSL and of nodes. */
+/** Tests on the page that draws scenes in GLSL and of nodes. */
 export const test = testOnOnePage('tests/webgpu/sideBySide.html', {
   begin: (page) => page.waitForFunction(() => window.besideGlsl !== undefined),
 });
 
-/** The largest difference of mean tones, of 255, where pixels are not compared. */
+/** The largest difference of mean tones, out of 255, where pixels are not compared. */
 const MOST_OFF_TONE = 0.2;
 
-/** The largest share of pixels that may be seen to differ, where a case says nothing else. */
+/** The largest share of pixels that may differ noticeably, by default. */
 const MOST_DIFFERING = 0.0005;
 
 type Backend = 'forceWebGL' | 'webgpu';
@@ -40,12 +40,12 @@ async function begin<Case extends Pick<SceneCase, 'name' | 'onWebGPU'>>(
   });
   const cases = selected(named, drawnHere);
   expect(cases.length, 'cases that are drawn').toBeGreaterThan(0);
-  // Each builds programs of its own, on the processor.
+  // Each case builds its own programs, on the processor.
   test.setTimeout(Math.max(300_000, 30_000 * cases.length));
   return cases;
 }
 
-/** @param most the largest share of pixels that may be seen to differ; null where only the mean tones are compared */
+/** @param most the largest share of pixels that may differ noticeably; null where only the mean tones are compared */
 function expectAlike({ differing, tones, covered, colours }: Comparison, name: string, most: number | null): void {
   const description = `${(100 * differing).toFixed(3)} % of pixels off by more than ${NOTICEABLE}, mean tones ${tones.map((tone) => tone.toFixed(2)).join(' and ')}`;
   test.info().annotations.push({ type: name, description });
@@ -63,8 +63,8 @@ const tagOf = (drawn: Backend, quick: readonly string[]): string =>
 
 /**
  * Declares the tests of a file of `cases`: nodes draw what GLSL draws, half of the cases with the WebGL 2 backend and half with WebGPU,
- * where the browser has it. What was measured is in the annotations of tests/output/playwright.json, and the pictures are beside it: GLSL, nodes, and
- * their difference times four.
+ * where the browser has it. The annotations of tests/output/playwright.json have the measures. The pictures lie beside it: GLSL, nodes, and their
+ * difference times four.
  *
  * @param quick the names of the cases that `npm test` draws, with the WebGL 2 backend alone. Default: none
  */
@@ -93,7 +93,7 @@ export function testGroup(group: string, quick: readonly string[] = []): void {
  * they need no comparison of their own.
  *
  * @param quick as in {@link testGroup}
- * @param drawnInCases the names of those that a file of `cases` draws as well, and that are left out here
+ * @param drawnInCases the names of scenes that a file of `cases` draws too; they are skipped here
  */
 export function testSpecs(
   kind: string,

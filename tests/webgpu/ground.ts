@@ -15,7 +15,7 @@ function casting<Shining extends Casting>(light: Shining, ...[x, y, z]: Vector3T
   return light;
 }
 
-/** A knot that stands on a ground and casts its shadow on it. @param ground its material; that of the knot, if there is none */
+/** A knot that casts its shadow on a ground. @param ground its material; by default that of the knot */
 export async function onGround(
   kit: Kit,
   parameters: HatchingMaterialParameters,

@@ -15,7 +15,7 @@ export interface KnotStage extends Stage {
   sun: DirectionalLight;
 }
 
-/** A knot under the sun, somewhat lightened. */
+/** A knot under the sun and ambient light. */
 export function knot(material: Material): KnotStage {
   const camera = new PerspectiveCamera(30, 1, 0.1, 20);
   camera.position.set(0.6, 0.3, 4);
@@ -27,7 +27,7 @@ export function knot(material: Material): KnotStage {
   return { scene, camera, mesh, sun };
 }
 
-/** The same, where the knot casts a shadow on itself. */
+/** The same knot, which casts shadows on itself. */
 export function shadowed<Shown extends KnotStage>(stage: Shown): Shown {
   stage.mesh.castShadow = stage.mesh.receiveShadow = stage.sun.castShadow = true;
   Object.assign(stage.sun.shadow.camera, { left: -1.2, right: 1.2, top: 1.2, bottom: -1.2, near: 0.1, far: 10 });

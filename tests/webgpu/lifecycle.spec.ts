@@ -11,7 +11,7 @@ for (const drawn of ['forceWebGL', 'webgpu'] as const) {
       test.skip(drawn === 'webgpu' && lack !== null, lack ?? '');
       const one = await page.evaluate((d) => window.besideGlsl.programsOfMany(d, 1), drawn);
       const many = await page.evaluate((d) => window.besideGlsl.programsOfMany(d, 50), drawn);
-      // The background has one too.
+      // The background has a program too.
       expect(many - one).toBe(1);
     },
   );

@@ -6,19 +6,19 @@ export const SIZE = 256;
 /** An RGBA picture, its bottom row first. */
 export type Pixels = Uint8Array;
 
-/** How far a picture of nodes is from that in GLSL. */
+/** The difference between a picture of nodes and that of GLSL. */
 export interface Comparison {
-  /** The share of pixels of which a channel differs by more than {@link NOTICEABLE}. */
+  /** The share of pixels with a channel that differs by more than {@link NOTICEABLE}. */
   differing: number;
   /** The mean of all channels in GLSL and with nodes, from 0 to 255. */
   tones: [glsl: number, nodes: number];
   /** The share of pixels in GLSL that are not of the background. */
   covered: number;
-  /** How many colours there are in GLSL. */
+  /** The number of colours in GLSL. */
   colours: number;
 }
 
-/** A difference that is seen, of 255. */
+/** A noticeable difference of a channel, out of 255. */
 export const NOTICEABLE = 8;
 
 const channels = [0, 1, 2] as const;
@@ -29,7 +29,7 @@ function meanOf(pixels: Pixels): number {
   return sum / (0.75 * pixels.length);
 }
 
-/** @param background the colour of what no mesh covers */
+/** @param background the colour where no mesh is */
 export function compare(glsl: Pixels, nodes: Pixels, background: readonly number[]): Comparison {
   if (nodes.length !== glsl.length) throw new Error('compare: the pictures have different sizes.');
   let differing = 0;
@@ -59,7 +59,7 @@ export function fromBelow(pixels: Pixels, drawn: Drawn, size: number): Pixels {
   return turned;
 }
 
-/** Both pictures and where they differ, side by side, as the address of a PNG: to be looked at. */
+/** Both pictures and their difference, side by side, as the data URL of a PNG. */
 export function sideBySide(glsl: Pixels, nodes: Pixels): string {
   const canvas = document.createElement('canvas');
   canvas.width = 3 * SIZE;

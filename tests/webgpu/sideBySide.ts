@@ -11,7 +11,7 @@ import { knot } from './knot.js';
 import { type Comparison, compare, type Pixels, sideBySide } from './picturesOf.js';
 import type { Depth, Drawn, Kit, SceneCase, Stage } from './SceneCase.js';
 
-// Each scene shows one thing by itself, and is odd on purpose.
+// Each scene tests one thing and is odd on purpose, so warnings about looks are off.
 HatchingMaterial.silent = true;
 
 const modules = import.meta.glob<{ cases: readonly SceneCase[] }>('./cases/*.ts', { eager: true });
@@ -71,7 +71,7 @@ async function draw(
 }
 
 interface Compared extends Comparison {
-  /** Both pictures and their difference, as the address of a PNG. */
+  /** Both pictures and their difference, as the data URL of a PNG. */
   picture: string;
 }
 
@@ -89,7 +89,7 @@ async function measure(group: string, name: string, drawn: 'forceWebGL' | 'webgp
   return { ...compare(pixels, nodes, background), picture: sideBySide(pixels, nodes) };
 }
 
-/** A scene that the reference in double precision is asked for too. */
+/** A scene that is also compared with the reference in double precision. */
 const caseOfSpec = (name: string, spec: HatchingSpec): SceneCase => ({
   name,
   shadows: PCFShadowMap,
@@ -113,7 +113,7 @@ async function measureSpec(name: string, spec: HatchingSpec, drawn: 'forceWebGL'
   return compare(pixels, (await draw(one, drawn)).pixels, background);
 }
 
-/** How many fragment programs are built for materials of two kinds, of which no two have the same numbers and colours. */
+/** The number of fragment programs for materials of two kinds that all have different numbers and colours. */
 async function programsOfMany(drawn: 'forceWebGL' | 'webgpu', count: number): Promise<number> {
   const { renderer, draw } = await makeDrawer(drawn);
   const stage = knot(new MeshBasicMaterial());

@@ -8,7 +8,7 @@ const STROKES = { technique: 'anchored', strokeLayers: 'single', sizedOnScreen: 
 const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
   knot(await kit.hatching({ ...STROKES, ...parameters }));
 
-/** WebGPU takes differences from pixel to pixel of other pixels, by which edges of strokes are as wide: means are compared there. */
+/** Edges of strokes are as wide as screen-space derivatives, which WebGPU takes from other pixels: only mean tones are compared there. */
 export const cases: readonly SceneCase[] = [
   { name: 'strokes on the object', onWebGPU: 'tone', show: (kit) => drawn(kit) },
   { name: 'strokes sized on the screen', onWebGPU: 'tone', show: (kit) => drawn(kit, { sizedOnScreen: 1 }) },

@@ -23,7 +23,7 @@ type Look = NonNullable<ConstructorParameters<typeof HatchingOutlines>[1]> &
   NonNullable<ConstructorParameters<typeof NodeOutlines>[1]>;
 type Outlines = HatchingOutlines | NodeOutlines;
 
-/** A mesh of one tone and its outlines, in the place of the knot. */
+/** A mesh of one tone with outlines, in place of the knot. */
 type Outlined = ReturnType<typeof knot> & { outlines: Outlines; kit: Kit };
 
 const outlinesOf = ({ either }: Kit, mesh: Mesh, look: Look): Outlines =>
@@ -46,7 +46,7 @@ const show =
     return { ...stage, ...arrange({ ...stage, outlines, kit }) };
   };
 
-/** A box without its last side, so that it has borders. */
+/** An open box, which has borders. */
 function openBox(): BufferGeometry {
   const box = new BoxGeometry(1.2, 0.9, 0.8);
   return box.setIndex([...box.getIndex()!.array].slice(0, 30));

@@ -34,7 +34,7 @@ const moved = (x: number, y: number, turn: number, size = 1): Matrix4 =>
     .multiply(new Matrix4().makeRotationAxis(new Vector3(1, 2, 0.5).normalize(), turn))
     .multiply(new Matrix4().makeScale(size, 0.7 * size, 1.2 * size));
 
-/** Objects that one material draws, of each kind that three.js knows. */
+/** One material on each kind of object of three.js. */
 export const cases: readonly SceneCase[] = [
   {
     name: 'two meshes of one material',
@@ -86,7 +86,7 @@ export const cases: readonly SceneCase[] = [
     },
   },
   {
-    // Of all that is common, what takes the most vertex buffers: as many as WebGPU has.
+    // The common case with the most vertex buffers: as many as WebGPU guarantees.
     name: 'a skin with a map, lines along its form',
     async show(kit) {
       const map = new DataTexture(Uint8Array.of(255, 200, 150, 255, 90, 120, 255, 255), 2, 1);

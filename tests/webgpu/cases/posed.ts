@@ -79,7 +79,7 @@ function bulgingTube(): SkinnedMesh {
   return tube;
 }
 
-/** Outlines of what bones and morph targets move. */
+/** Outlines of meshes with bones and morph targets. */
 export const cases: readonly SceneCase[] = [
   {
     name: 'outlines of a skin',

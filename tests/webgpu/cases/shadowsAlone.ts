@@ -7,7 +7,7 @@ const LINES = { technique: 'engraved', exposure: 1, lineSpacing: 6 } as const;
 const STROKES = { technique: 'anchored', exposure: 1, edgePixels: 0 } as const;
 const SHADOWS = { toneModel: 'shadow', transparent: true, paperOpacity: 0 } as const;
 
-/** Only shadows, on the ground. @param light in the place of the sun, where there is one */
+/** A ground that shows only shadows. @param light replaces the sun */
 async function alone(kit: Kit, parameters: HatchingMaterialParameters, light: Casting | null = null): Promise<Stage> {
   const stage = await onGround(kit, LINES, { ...SHADOWS, ...parameters });
   if (light) stage.scene.remove(stage.sun).add(light);

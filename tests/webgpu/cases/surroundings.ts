@@ -43,7 +43,7 @@ const planes = (): Plane[] => [
   new Plane(new Vector3(0.3, -1, 0).normalize(), 0.3),
 ];
 
-/** Clips by planes: materials in GLSL have them, those of nodes a group. */
+/** Clips by planes: those of the material in GLSL, and of a ClippingGroup for nodes. */
 async function clipped(kit: Kit, clipIntersection: boolean, look?: Look): Promise<Stage> {
   const stage = await outlined(kit, { side: DoubleSide }, look);
   const clippingPlanes = planes();
@@ -64,7 +64,7 @@ async function clipped(kit: Kit, clipIntersection: boolean, look?: Look): Promis
   return stage;
 }
 
-/** What lies around surfaces and outlines: planes that clip them, other depths, passes, fog. */
+/** Clipping planes, depth buffers, passes and fog. */
 export const cases: readonly SceneCase[] = [
   { name: 'clipped by each of two planes', show: (kit) => clipped(kit, false) },
   { name: 'clipped where two planes meet', show: (kit) => clipped(kit, true) },

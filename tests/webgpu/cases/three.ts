@@ -3,7 +3,7 @@ import { MeshPhongNodeMaterial } from 'three/webgpu';
 import { knot, shadowed } from '../knot.js';
 import type { SceneCase } from '../SceneCase.js';
 
-/** three's own materials, of which both kinds draw the same: other differences are not the drawers'. */
+/** three's own materials, which show how much the renderers themselves differ. */
 export const cases: readonly SceneCase[] = [
   {
     name: 'Phong',

@@ -3,7 +3,7 @@ import { MeshPhongNodeMaterial } from 'three/webgpu';
 import { knot } from '../knot.js';
 import type { SceneCase } from '../SceneCase.js';
 
-/** What a comparison must notice. */
+/** Differences that the comparison must notice. */
 export const cases: readonly SceneCase[] = [
   {
     name: 'another colour',
