@@ -20,7 +20,6 @@ import { isClosed } from './mesh/isClosed.js';
 import type { NotedMesh, PlainMesh } from './mesh/PlainMesh.js';
 import { plainNormals } from './mesh/plainNormals.js';
 import { thinNote } from './mesh/triangleAreas.js';
-import { readMoving } from './moving/readMoving.js';
 import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from './pictures/meshPictures.js';
 import type { WantedPicture } from './pictures/WantedPicture.js';
 import { cleanMesh } from './repair/cleanMesh.js';
@@ -259,11 +258,10 @@ async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
   if ('content' in read) return read;
   if (!('root' in read) || read.root.animations.length === 0) return parsedOf(read);
   const notes = notesOn(read);
+  const { readMoving } = await import('./scenes/readMoving.js');
   const moving = await readMoving(read.root, file.name, file.findFile);
   if (moving) return { ...moving, notes: [...new Set([...moving.notes, ...notes])] };
-  // Read again, because the first scene was used up.
-  const again = (await format.read(file)) as LoadedScene;
-  return parsedOf({ ...again, notes: ['shown without its motion'] });
+  return parsedOf({ ...read, notes: ['shown without its motion'] });
 }
 
 /** Fills in a reader's missing fields: nothing missing, no notes. */

@@ -1,5 +1,5 @@
 import type { DracoPart } from './decodeDraco.js';
-import type { GltfValues } from './GltfValues.js';
+import type { AccessorValues } from './GltfValues.js';
 import type { GltfWriter } from './GltfWriter.js';
 import type { GltfMesh, GltfPrimitive } from './gltfDocument.js';
 import { drawsTriangles, toTriangles } from './gltfTriangles.js';
@@ -80,7 +80,7 @@ export class GltfGeometry {
   private readonly zeros = new Map<number, Float32Array>();
 
   constructor(
-    private readonly values: GltfValues,
+    private readonly values: AccessorValues,
     private readonly writer: GltfWriter,
     private readonly draco: DracoSource,
   ) {}

@@ -1,6 +1,6 @@
 import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
 import { fitWeights, type GltfGeometry, type PlainGltfMesh } from './GltfGeometry.js';
-import type { GltfValues } from './GltfValues.js';
+import type { AccessorValues } from './GltfValues.js';
 import type { GltfWriter } from './GltfWriter.js';
 import type { GltfDocument, GltfNode } from './gltfDocument.js';
 import {
@@ -33,7 +33,7 @@ export class GltfNodes {
 
   constructor(
     private readonly document: GltfDocument,
-    private readonly values: GltfValues,
+    private readonly values: AccessorValues,
     private readonly geometry: GltfGeometry,
     private readonly skins: readonly PlainSkin[],
     private readonly writer: GltfWriter,

@@ -27,8 +27,24 @@ const NORMAL: Record<ComponentType, number> = { 5120: 127, 5121: 255, 5122: 3276
 
 const MESHOPT_BYTES_AT_MOST = 256;
 
+/** The values of a document's accessors. */
+export interface AccessorValues {
+  /** The number of components per item of an accessor. */
+  sizeOf(accessor: number): number;
+  /** The number of items of an accessor. */
+  countOf(accessor: number): number;
+  /** The values as floats; normalized ones are in [-1, 1]. Read-only. @throws ModelError if data is missing */
+  floatsOf(accessor: number): Float32Array;
+  /** As `floatsOf`, or undefined if data is missing. */
+  tryFloats(accessor: number): Float32Array | undefined;
+  /** The values as integers. Read-only. @throws ModelError if data is missing or not integer */
+  integersOf(accessor: number): Uint32Array;
+  /** The bytes of a buffer view. @throws ModelError if data is missing */
+  viewOf(view: number): Uint8Array;
+}
+
 /** The values of a document's accessors, decoded from strides, sparse storage, quantization and meshopt compression. */
-export class GltfValues {
+export class GltfValues implements AccessorValues {
   private readonly floats = new Map<number, Float32Array>();
   private readonly integers = new Map<number, Uint32Array>();
   private readonly views = new Map<number, Uint8Array>();
@@ -51,17 +67,14 @@ export class GltfValues {
     this.meshopt = MeshoptDecoder;
   }
 
-  /** The number of components per item of an accessor. */
   sizeOf(accessor: number): number {
     return TYPE_SIZES[this.document.accessors[accessor].type];
   }
 
-  /** The number of items of an accessor. */
   countOf(accessor: number): number {
     return this.document.accessors[accessor].count;
   }
 
-  /** The values as floats; normalized ones are in [-1, 1]. Read-only. @throws ModelError if data is missing */
   floatsOf(accessor: number): Float32Array {
     return remember(this.floats, accessor, () =>
       this.normalize(
@@ -81,7 +94,6 @@ export class GltfValues {
     return values;
   }
 
-  /** As {@link floatsOf}, or undefined if data is missing. */
   tryFloats(accessor: number): Float32Array | undefined {
     try {
       return this.floatsOf(accessor);
@@ -91,7 +103,6 @@ export class GltfValues {
     }
   }
 
-  /** The values as integers. Read-only. @throws ModelError if data is missing or not integer */
   integersOf(accessor: number): Uint32Array {
     return remember(this.integers, accessor, () => {
       const { componentType } = this.document.accessors[accessor];
@@ -101,7 +112,6 @@ export class GltfValues {
     });
   }
 
-  /** The bytes of a buffer view. @throws ModelError if data is missing */
   viewOf(index: number): Uint8Array {
     return remember(this.views, index, () => {
       const view = this.document.bufferViews[index];

@@ -1,4 +1,4 @@
-import type { GltfValues } from './GltfValues.js';
+import type { AccessorValues } from './GltfValues.js';
 import type { GltfWriter } from './GltfWriter.js';
 import type { GltfAnimationSampler, GltfChannel, GltfDocument } from './gltfDocument.js';
 
@@ -16,7 +16,7 @@ const SPLINE_VALUES = 3;
  */
 export function writeAnimations(
   { animations }: GltfDocument,
-  values: GltfValues,
+  values: AccessorValues,
   writer: GltfWriter,
   inScene: ReadonlySet<number>,
   shapesOf: (node: number) => number,
@@ -49,7 +49,7 @@ export function writeAnimations(
 function writeSampler(
   { target: { node, path } }: GltfChannel,
   sampler: GltfAnimationSampler | undefined,
-  values: GltfValues,
+  values: AccessorValues,
   writer: GltfWriter,
   shapesOf: (node: number) => number,
 ): object | undefined {
@@ -66,7 +66,7 @@ function writeSampler(
 }
 
 /** The values of an accessor, or undefined if data is missing, not finite or of another size. */
-function readFinite(values: GltfValues, accessor: number, size: number): Float32Array | undefined {
+function readFinite(values: AccessorValues, accessor: number, size: number): Float32Array | undefined {
   const floats = values.sizeOf(accessor) === size ? values.tryFloats(accessor) : undefined;
   return floats?.every(Number.isFinite) ? floats : undefined;
 }

@@ -1,4 +1,4 @@
-import type { GltfValues } from './GltfValues.js';
+import type { AccessorValues } from './GltfValues.js';
 import type { GltfNode } from './gltfDocument.js';
 
 /** The extension for instanced meshes. */
@@ -18,18 +18,18 @@ export interface Instances {
 }
 
 /** The accessors of a node's instance attributes. */
-export function instanceAccessors({ extensions }: GltfNode, values: GltfValues): InstanceAccessors {
+export function instanceAccessors({ extensions }: GltfNode, values: AccessorValues): InstanceAccessors {
   return Object.entries(extensions?.[INSTANCING]?.attributes ?? {}).filter(
     ([name, accessor]) => INSTANCE_SIZES[name] === values.sizeOf(accessor),
   );
 }
 
 /** The number of instances by a node's accessors. */
-export const instanceCount = (accessors: InstanceAccessors, values: GltfValues): number =>
+export const instanceCount = (accessors: InstanceAccessors, values: AccessorValues): number =>
   Math.min(...accessors.map(([, accessor]) => values.countOf(accessor)));
 
 /** Reads the first instances, without those with NaN values. @param total how many are read */
-export function readInstances(accessors: InstanceAccessors, total: number, values: GltfValues): Instances {
+export function readInstances(accessors: InstanceAccessors, total: number, values: AccessorValues): Instances {
   const read = accessors.map(([name, accessor]) => ({
     name,
     size: INSTANCE_SIZES[name],

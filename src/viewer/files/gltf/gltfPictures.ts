@@ -4,7 +4,7 @@ import { readUri } from '../common/readUri.js';
 import type { FindFile } from '../common/Surroundings.js';
 import { fitPictures, type PictureSize, PixelBudget } from '../pictures/fitPictures.js';
 import { imageSize } from '../pictures/imageSize.js';
-import type { GltfValues } from './GltfValues.js';
+import type { AccessorValues } from './GltfValues.js';
 import type { GltfDocument } from './gltfDocument.js';
 import { usedImages } from './gltfMaterials.js';
 
@@ -26,7 +26,7 @@ export interface Pictures {
 /** Collects the pictures that materials use. Sizes are read from headers, before anything is decoded. */
 export async function collectPictures(
   document: GltfDocument,
-  values: GltfValues,
+  values: AccessorValues,
   findFile: FindFile,
 ): Promise<Pictures> {
   const used = usedImages(document);
@@ -49,7 +49,7 @@ export async function collectPictures(
   return { pictures, missing: [...new Set(missing)], lostPictures: unreadable + tooLarge, notes };
 }
 
-function viewBytes(values: GltfValues, view: number | undefined): Uint8Array | undefined {
+function viewBytes(values: AccessorValues, view: number | undefined): Uint8Array | undefined {
   try {
     return view === undefined ? undefined : values.viewOf(view);
   } catch (error) {

@@ -8,14 +8,15 @@ import type { FindFile, Surroundings } from '../common/Surroundings.js';
 import { counted, shownName } from '../common/shownText.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 import { mergeScene } from '../scenes/mergeScene.js';
-import { chooseScene } from './chooseScene.js';
-import { GltfValues } from './GltfValues.js';
+import { type ChosenScene, chooseScene } from './chooseScene.js';
+import type { DracoSource } from './GltfGeometry.js';
+import { type AccessorValues, GltfValues } from './GltfValues.js';
 import { type GltfDocument, readGltfDocument } from './gltfDocument.js';
 import { gltfExtras, useVariant } from './gltfExtras.js';
 import { drawnMaterials, textureSource } from './gltfMaterials.js';
 import { collectPictures } from './gltfPictures.js';
 import { type GltfParts, parseGltf } from './parseGltf.js';
-import { type PlainGltf, unpackGltf } from './unpackGltf.js';
+import { dracoSource, type PlainGltf, unpackGltf } from './unpackGltf.js';
 
 const GLB_JSON = 0x4e4f534a;
 const GLB_BINARY = 0x004e4942;
@@ -87,28 +88,46 @@ export async function readGltf(
   const { document, leftOut, unread } = readGltfDocument(text, name);
   if (variant !== undefined) useVariant(document, variant, name);
   const chosen = chooseScene(document, name);
-  const extras = gltfExtras(document, chosen);
   const values = new GltfValues(document, await collectBuffers(document, name, binary, findFile), name);
   await values.prepare();
-  const plain = await unpackGltf(document, chosen, values, name, loadDraco);
-  const { pictures, missing, lostPictures, notes: pictureNotes } = await collectPictures(document, values, findFile);
-  const notes = [...chosen.notes, ...plain.notes, ...pictureNotes];
-  const details = [...chosen.details, ...plain.details];
-  if (leftOut > 0) details.push(counted(leftOut, 'damaged setting', 'left out'));
-  if (unread.length > 0) details.push(unreadDetail(unread));
-  const isPictured = pictures.some(Boolean);
+  const draco = dracoSource(document, values, name, loadDraco);
+  const { plain, parts, isPictured, read } = await readParts(document, chosen, values, name, findFile, draco);
+  if (leftOut > 0) read.details.push(counted(leftOut, 'damaged setting', 'left out'));
+  if (unread.length > 0) read.details.push(unreadDetail(unread));
   const glows = document.materials.some((material) => material?.emissiveFactor?.some((value) => value > 0));
   const isScene = plain.moves || isPictured || glows;
-  if (isScene && isSmall(plain)) {
-    const content = withMaterials(plain, document, pictures);
-    return { content, broken: plain.broken, notes, details, missing, lostPictures, extras };
-  }
-  if (isScene) notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
+  if (isScene && parts) return { ...read, content: parts };
+  if (isScene) read.notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
   const { root } = await parseGltf(withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []));
   const toMesh = new Matrix4();
   const content = mergeScene(root, undefined, toMesh);
-  const moved = movedExtras(extras, toMesh);
-  return { content, broken: plain.broken, notes, details, missing, lostPictures, extras: moved };
+  return { ...read, content, extras: movedExtras(read.extras, toMesh) };
+}
+
+/** Checks the values of a document and collects its pictures. `parts` are undefined if it is too large to be drawn as a scene. */
+export async function readParts(
+  document: GltfDocument,
+  chosen: ChosenScene,
+  values: AccessorValues,
+  name: string,
+  findFile: FindFile,
+  draco: DracoSource,
+) {
+  const plain = await unpackGltf(document, chosen, values, name, draco);
+  const { pictures, missing, lostPictures, notes } = await collectPictures(document, values, findFile);
+  return {
+    plain,
+    parts: isSmall(plain) ? withMaterials(plain, document, pictures) : undefined,
+    isPictured: pictures.some(Boolean),
+    read: {
+      broken: plain.broken,
+      notes: [...chosen.notes, ...plain.notes, ...notes],
+      details: [...chosen.details, ...plain.details],
+      missing,
+      lostPictures,
+      extras: gltfExtras(document, chosen),
+    },
+  };
 }
 
 /** At most this many extensions are named. */

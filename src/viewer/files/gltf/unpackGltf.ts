@@ -7,7 +7,7 @@ import { type DracoAttribute, type DracoPart, decodeDraco } from './decodeDraco.
 import type { DracoSource } from './GltfGeometry.js';
 import { GltfGeometry } from './GltfGeometry.js';
 import { GltfNodes, type PlainSkin } from './GltfNodes.js';
-import type { GltfValues } from './GltfValues.js';
+import type { AccessorValues, GltfValues } from './GltfValues.js';
 import { GltfWriter } from './GltfWriter.js';
 import { writeAnimations } from './gltfAnimations.js';
 import type { GltfDocument } from './gltfDocument.js';
@@ -55,12 +55,12 @@ const NO_TRIANGLES = 'holds no triangles; only surfaces can be hatched, not poin
 export async function unpackGltf(
   document: GltfDocument,
   chosen: ChosenScene,
-  values: GltfValues,
+  values: AccessorValues,
   fileName: string,
-  loadDraco: Surroundings['loadDraco'],
+  draco: DracoSource,
 ): Promise<PlainGltf> {
   const writer = new GltfWriter();
-  const geometry = new GltfGeometry(values, writer, dracoSource(document, values, fileName, loadDraco));
+  const geometry = new GltfGeometry(values, writer, draco);
   const skins = document.skins.map((skin) => skin && writeSkin(skin, values, writer));
   const visible = new Set(chosen.visible);
   const written = new GltfNodes(document, values, geometry, skins, writer);
@@ -109,7 +109,7 @@ export async function unpackGltf(
 /** Writes a skin with one matrix per joint; undefined if it is damaged. */
 function writeSkin(
   { joints, inverseBindMatrices }: NonNullable<GltfDocument['skins'][number]>,
-  values: GltfValues,
+  values: AccessorValues,
   writer: GltfWriter,
 ): PlainSkin {
   if (joints.length === 0) return undefined;
@@ -131,7 +131,7 @@ function belowRoots({ nodes }: GltfDocument, roots: readonly number[]): Set<numb
 }
 
 /** Returns the decoder of Draco-compressed primitives, which is loaded when the first needs it. */
-function dracoSource(
+export function dracoSource(
   document: GltfDocument,
   values: GltfValues,
   fileName: string,

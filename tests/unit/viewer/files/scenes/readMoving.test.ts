@@ -15,16 +15,15 @@ import {
   SkinnedMesh,
   Vector3,
 } from 'three';
-import { afterEach, describe, expect, test, vi } from 'vitest';
+import { ColladaLoader } from 'three/addons/loaders/ColladaLoader.js';
+import { describe, expect, test, vi } from 'vitest';
 import { buildModel } from '../../../../../src/viewer/drawing/buildModel.js';
 import { meshesOf } from '../../../../../src/viewer/drawing/meshesOf.js';
 import { type GltfParts, parseGltf } from '../../../../../src/viewer/files/gltf/parseGltf.js';
-import { readMoving } from '../../../../../src/viewer/files/moving/readMoving.js';
 import { type ReadMesh, type ReadParts, readModel } from '../../../../../src/viewer/files/readModel.js';
+import { readMoving } from '../../../../../src/viewer/files/scenes/readMoving.js';
 import { BOX_CORNERS } from '../../../../../tools/modelFiles/box.js';
 import { dae, fbx } from '../../../../../tools/modelFiles/sceneWriters.js';
-
-afterEach(() => expect('FileReader' in globalThis).toBe(false));
 
 const read = (text: string, others: [string, Uint8Array][] = []) =>
   readModel(
@@ -79,8 +78,11 @@ describe("a model of three's other loaders that moves", () => {
       ['>0 1</float_array>', '>0 nan</float_array>'],
       ['node/transform', 'nobody/transform'],
     ]) {
+      const parsing = vi.spyOn(ColladaLoader.prototype, 'parse');
       const model = await read(dae(undefined, true).replace(from, to));
       expect([model.kind, model.notes]).toEqual(['mesh', ['shown without its motion']]);
+      expect(parsing).toHaveBeenCalledTimes(1);
+      parsing.mockRestore();
     }
   });
 
@@ -114,6 +116,26 @@ describe("a model of three's other loaders that moves", () => {
     );
     expect(Math.max(...moved)).toBeGreaterThan(1);
   });
+});
+
+test('a track names a morph target by its number, too, and one that does not move keeps its influence', async () => {
+  const { root, clip } = tube();
+  const [mesh] = meshesOf(root);
+  const { position } = mesh.geometry.morphAttributes;
+  const second = position![0].clone();
+  second.name = 'lean';
+  position!.push(second);
+  mesh.morphTargetDictionary = { bulge: 0, lean: 1 };
+  mesh.morphTargetInfluences = [0, 0.25];
+  clip.tracks = [new NumberKeyframeTrack('tube.morphTargetInfluences[0]', [0, 1], [0, 0.8])];
+  root.animations = [clip];
+  const expected = placesAt(root, [clip], [0, 0.5]);
+  const moving = (await readMoving(root, 'tube.fbx', async () => undefined))!;
+  expect(moving.notes).toEqual([]);
+  const scene = await parseGltf(moving.content as GltfParts);
+  const shown = placesAt(scene.root, scene.animations, [0, 0.5]).flat();
+  for (const [i, place] of expected.flat().entries())
+    for (const axis of [0, 1, 2]) expect(shown[i][axis]).toBeCloseTo(place[axis], 4);
 });
 
 /** A tube that bends and bulges, turned and away from the origin. */
