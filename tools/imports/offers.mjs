@@ -187,7 +187,7 @@ export const OFFERS = {
     'drawing/bakeOcclusion.ts',
     'drawing/buildModel.ts',
     'drawing/HatchedModel.ts',
-    'drawing/isOpen.ts',
+    'drawing/statistics.ts',
     'drawing/materials.ts',
     'drawing/meshesOf.ts',
     'drawing/Motion.ts',

@@ -1,5 +1,5 @@
-import type { ModelStatistics } from '../../viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import type { ModelStatistics } from '../../viewer/drawing/statistics.js';
 import { extensionOf, withoutGz } from '../../viewer/files/common/fileName.js';
 import { FORMATS } from '../../viewer/files/formats.js';
 import { writeLink } from '../../viewer/settings/shareLink.js';

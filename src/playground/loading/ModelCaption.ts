@@ -1,4 +1,4 @@
-import type { ModelStatistics } from '../../viewer/drawing/HatchedModel.js';
+import type { ModelStatistics } from '../../viewer/drawing/statistics.js';
 import { shownName, shownText } from '../../viewer/files/common/shownText.js';
 
 /** The maximum length of notes in the caption. Its button shows the rest. */

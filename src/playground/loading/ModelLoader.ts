@@ -2,7 +2,7 @@ import { HatchingMaterial } from 'three-hatching';
 import type { BuiltInScene } from '../../viewer/drawing/buildModel.js';
 import { buildModel } from '../../viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import { isOpen } from '../../viewer/drawing/isOpen.js';
+import { isOpen } from '../../viewer/drawing/statistics.js';
 import type { BundledDrawing } from '../../viewer/files/archives/bundle.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../viewer/files/readModel.js';

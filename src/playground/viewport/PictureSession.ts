@@ -75,15 +75,13 @@ export class PictureSession {
     // Tiles are measured in device pixels.
     painter.pixelRatio = 1;
     if (ground !== 'paper' || layer) painter.renderer.setClearAlpha(0);
-    if (layer) scenery.showLayer(layer);
-    else if (ground === 'strokes') scenery.showPaper(false);
-    if (isUnderLines) scenery.hideLines();
+    scenery.show(layer ?? (ground === 'strokes' ? 'ink' : 'whole'), !isUnderLines);
     this.isUndivided = isUnderLines;
   }
 
   end(): void {
     const { painter, scenery } = this.viewport;
-    scenery.showLayer(undefined);
+    scenery.showWhole();
     painter.renderer.setClearAlpha(1);
   }
 

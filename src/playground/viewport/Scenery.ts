@@ -144,30 +144,34 @@ export class Scenery {
 
   /** Hides outlines, ground and shadows, which need programs or frames of their own, until the look is applied again. */
   showSketch(): void {
-    this.shown.model?.showOutlines(false);
-    this.shown.model?.castShadows(false);
+    this.shown.model?.show('sketch');
     this.ground.hide();
     this.backdrop.hide();
   }
 
-  /** Hides the elements that a vector file contains as lines besides strokes, until {@link showLayer} shows all again. */
-  hideLines(): void {
-    this.shown.model?.showOutlines(false);
-    this.backdrop.hide();
+  /**
+   * Shows a part of a picture until {@link showWhole}, on a transparent background: all, all but the paper (`ink`), or one layer.
+   *
+   * @param hasLines whether outlines and background are drawn, which a vector file contains as lines
+   */
+  show(part: 'whole' | 'ink' | Layer, hasLines: boolean): void {
+    const { look, shown, ground, backdrop } = this;
+    if (!look) return;
+    shown.model?.show(part, hasLines);
+    if (part === 'ink') ground.showPaper(false);
+    else if (part !== 'whole') {
+      ground.showLayer(part);
+      backdrop.showLayer(part, look);
+    }
+    if (!hasLines) backdrop.hide();
   }
 
-  /** Shows or hides the paper. Without it, only strokes are drawn. */
-  showPaper(isShown: boolean): void {
-    this.shown.model?.showPaper(isShown);
-    this.ground.showPaper(isShown);
-  }
-
-  /** Shows one layer alone, on a transparent background; undefined shows all. */
-  showLayer(layer: Layer | undefined): void {
+  /** Shows what a frame shows. */
+  showWhole(): void {
     if (!this.look) return;
-    this.shown.model?.showLayer(layer, this.look);
-    this.ground.showLayer(layer, this.look);
-    this.backdrop.showLayer(layer, this.look);
+    this.shown.model?.apply(this.look);
+    this.ground.apply(this.look);
+    this.backdrop.showLayer(undefined, this.look);
   }
 
   /** Disposes of all GPU resources. Call this while the context is lost. */

@@ -34,19 +34,16 @@ import type { EitherMaterial, NodeMakers } from './materials.js';
 import { materialSizesIn, outlineSizesIn, parameterSetter } from './materials.js';
 import { meshesOf } from './meshesOf.js';
 import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
+import type { ModelStatistics } from './statistics.js';
 
 /** Blending that leaves the colour unchanged. The surface still writes depth. */
 const NO_INK = { blending: CustomBlending, blendSrc: ZeroFactor, blendDst: OneFactor };
 
-/** Statistics of the bake, summed over a model. */
-export interface ModelStatistics {
-  triangles: number;
-  borderEdges: number;
-  nonManifoldEdges: number;
-  unpairedEdges: number;
-  inconsistentEdges: number;
-  degenerateTriangles: number;
-}
+/** A tone curve that draws no ink. */
+export const BLANK: readonly (readonly [number, number])[] = [
+  [0, 0],
+  [1, 0],
+];
 
 /** The properties of a material that come from the model, not from the settings. */
 interface Surface {
@@ -58,29 +55,47 @@ interface Surface {
   isGlass: boolean;
   blending: Blending;
   premultipliedAlpha: boolean;
-}
-
-/** A material of the model with its copies for other renderings. They share the model's surface. */
-interface MaterialPair {
-  drawn: HatchingMaterial;
-  compared: HatchingMaterial | undefined;
-  /** The node material, while WebGPURenderer draws the model. */
-  nodes: HatchingNodeMaterial | undefined;
-  surface: Surface;
   /** The stroke scale that gives one tile per world unit. */
   scale: number;
 }
 
-const WHITE = new Color('white');
-
-/** A tone curve that draws no ink. */
-export const BLANK: readonly (readonly [number, number])[] = [
-  [0, 0],
-  [1, 0],
-];
-
 /** Which materials a rendering uses: those of the settings, of the compared technique, or of nodes. */
 export type MaterialKind = 'drawn' | 'compared' | 'nodes';
+
+/** The materials and outlines of one kind. */
+interface MaterialSet {
+  /** In the order of the surfaces. */
+  materials: readonly EitherMaterial[];
+  /** In the order of the meshes. */
+  ofMeshes: readonly (Material | Material[])[];
+  outlines: readonly (HatchingOutlines | NodeOutlines)[];
+  outlineMaterials: ReadonlySet<HatchingOutlineMaterial | HatchingOutlineNodeMaterial>;
+}
+
+/**
+ * What a rendering shows of a model. Surfaces without paper, colour or ink still hide what is behind them.
+ *
+ * | part | for |
+ * | --- | --- |
+ * | `whole` | a frame |
+ * | `sketch` | a frame that must be drawn at once: outlines and shadows need programs or frames of their own |
+ * | `ink` | a picture whose paper is transparent |
+ * | `colour`, `shadow`, `strokes`, `outline` | one layer of a picture; to that of the ground's shadow a model adds nothing |
+ */
+const PARTS = {
+  whole: { paper: true, ink: 'drawn', outlines: true, shadows: true },
+  sketch: { paper: true, ink: 'drawn', outlines: false, shadows: false },
+  ink: { paper: false, ink: 'drawn', outlines: true, shadows: true },
+  colour: { paper: true, ink: 'blank', outlines: false, shadows: true },
+  shadow: { paper: false, ink: 'hidden', outlines: false, shadows: true },
+  strokes: { paper: false, ink: 'drawn', outlines: false, shadows: true },
+  // Outlines are not drawn for a material with `colorWrite: false`.
+  outline: { paper: false, ink: 'clear', outlines: true, shadows: true },
+} as const;
+
+export type ModelPart = keyof typeof PARTS;
+
+const WHITE = new Color('white');
 
 /**
  * A model with hatching materials: one set for the settings, copies for the compared technique from the first comparison on, and node
@@ -91,15 +106,16 @@ export class HatchedModel {
   isOccluded = false;
   /** Cameras, lights and variants of the file, in the space of the root. */
   extras: ModelExtras = NO_EXTRAS;
-  private readonly pairs: readonly MaterialPair[];
-  private readonly meshes: ({ mesh: Mesh } & Record<MaterialKind, Material | Material[]>)[];
-  /** Key of the look that the materials have; undefined if they were changed since. */
-  private shown: string | undefined;
-  private readonly outlineMaterials: Set<HatchingOutlineMaterial | HatchingOutlineNodeMaterial>;
-  /** Outlines for WebGPURenderer; undefined without node materials. */
-  private nodeOutlines: readonly NodeOutlines[] | undefined;
-  private used: MaterialKind = 'drawn';
-  private areOutlinesShown = true;
+  private readonly surfaces: readonly Surface[];
+  private readonly meshes: readonly Mesh[];
+  private readonly sets: { drawn: MaterialSet } & Partial<Record<MaterialKind, MaterialSet>>;
+  /** What is drawn: a part of the model in a look, with the materials of one kind. */
+  private readonly shown: { look: Look | undefined; part: ModelPart; outlines: boolean; kind: MaterialKind } = {
+    look: undefined,
+    part: 'whole',
+    outlines: true,
+    kind: 'drawn',
+  };
 
   /**
    * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps of the source, and
@@ -119,27 +135,24 @@ export class HatchedModel {
     readonly statistics: ModelStatistics,
     readonly motion: Motion | undefined,
     materials: readonly HatchingMaterial[],
-    private readonly outlines: readonly HatchingOutlines[],
+    outlines: readonly HatchingOutlines[],
     private readonly free: () => void,
   ) {
-    this.pairs = materials.map((drawn) => ({
-      drawn,
-      compared: undefined,
-      nodes: undefined,
-      surface: surfaceOf(drawn),
-      scale: drawn.tilesPerUnit,
-    }));
-    this.meshes = meshesOf(root).map((mesh) => {
-      mesh.castShadow = mesh.receiveShadow = !isGlass(mesh);
-      const { material } = mesh;
-      return { mesh, drawn: material, compared: material, nodes: material };
-    });
-    this.outlineMaterials = new Set(outlines.map(({ material }) => material));
+    this.surfaces = materials.map(surfaceOf);
+    this.meshes = meshesOf(root);
+    for (const mesh of this.meshes) mesh.castShadow = mesh.receiveShadow = !isGlass(mesh);
+    this.sets = {
+      drawn: setOf(
+        materials,
+        outlines,
+        this.meshes.map(({ material }) => material),
+      ),
+    };
   }
 
   /** The extent of the model, by which all parts of the scene measure depth. */
   get extent(): SceneExtent | null {
-    return this.pairs[0]?.drawn.extent ?? null;
+    return this.sets.drawn.materials[0]?.extent ?? null;
   }
 
   /**
@@ -147,61 +160,67 @@ export class HatchedModel {
    * hidden, do not count.
    */
   get lacksAdjacency(): boolean {
-    return this.meshes.some(({ mesh: { visible, geometry } }) => {
+    return this.meshes.some(({ visible, geometry }) => {
       const { layout } = (geometry.userData.hatching ?? {}) as Partial<HatchingStatistics>;
       return visible && layout !== 'corner' && layout !== 'pull';
     });
   }
 
-  /** Applies a look to the materials. While adjacency is missing, techniques that need it are drawn as `anchored`. */
+  /** Shows the whole model in a look. While adjacency is missing, techniques that need it are drawn as `anchored`. */
   apply(look: Look): void {
     for (const _ of this.applying(look));
   }
 
-  /**
-   * Applies a look step by step, one material per step, because models may have thousands. Materials that have the look already are
-   * skipped.
-   */
+  /** As {@link apply}, one material per step, because models may have thousands. Materials that have the look already are skipped. */
   *applying(asked: Look): Generator<void, void, void> {
+    const { shown, sets, surfaces } = this;
     const look = this.lacksAdjacency ? withoutAdjacency(asked) : asked;
-    const shown = materialKey(look);
-    if (shown !== this.shown) {
-      this.shown = undefined;
-      if (look.compared) this.makeCopies();
-      const setDrawn = parameterSetter(look.drawn);
-      const setCompared = parameterSetter(look.compared ?? look.drawn);
-      for (const pair of this.pairs) {
-        const { drawn, compared, nodes, surface, scale } = pair;
-        setDrawn(drawn);
-        if (compared) setCompared(compared);
-        if (nodes) setDrawn(nodes);
-        for (const material of allOf(pair)) {
-          material.tilesPerUnit *= scale;
-          showSurface(material, surface, look.showsSurfaceColors);
+    if (!shown.look || materialKey(look) !== materialKey(shown.look)) {
+      shown.look = undefined;
+      if (look.compared) sets.compared ??= this.copies(this.drawnMaterials.map((material) => material.clone()));
+      const setters = { drawn: parameterSetter(look.drawn), compared: parameterSetter(look.compared ?? look.drawn) };
+      for (const [i, surface] of surfaces.entries()) {
+        for (const [kind, { materials }] of this.kinds()) {
+          setters[kind === 'compared' ? kind : 'drawn'](materials[i]);
+          materials[i].tilesPerUnit *= surface.scale;
+          showSurface(materials[i], surface, look.showsSurfaceColors);
         }
         yield;
       }
-      for (const material of this.outlineMaterials) material.setValues(look.outlines);
-      this.shown = shown;
+      for (const [, { outlineMaterials }] of this.kinds())
+        for (const material of outlineMaterials) material.setValues(look.outlines);
     }
-    this.showOutlines(look.showsOutlines);
-    this.castShadows(true);
+    shown.look = look;
+    this.show('whole');
   }
 
-  /** Sets whether the meshes cast shadows, until a look is applied again. */
-  castShadows(areCast: boolean): void {
-    for (const { mesh } of this.meshes) mesh.castShadow = areCast && !isGlass(mesh);
-  }
-
-  /** Shows or hides the outlines, until a look is applied again. */
-  showOutlines(shown: boolean): void {
-    this.areOutlinesShown = shown;
-    for (const outlines of this.outlines) outlines.visible = shown && this.used !== 'nodes';
-    for (const outlines of this.nodeOutlines ?? []) outlines.visible = shown;
+  /** Shows a part of the model, until a look is applied. @param hasOutlines whether outlines that the part has are drawn */
+  show(part: ModelPart, hasOutlines = true): void {
+    const { shown, surfaces } = this;
+    const { paper, ink, shadows, outlines } = PARTS[part];
+    const wasWhole = shown.part === 'whole' || shown.part === 'sketch';
+    const isWhole = part === 'whole' || part === 'sketch';
+    Object.assign(shown, { part, outlines: outlines && hasOutlines && shown.look?.showsOutlines !== false });
+    for (const mesh of this.meshes) mesh.castShadow = shadows && !isGlass(mesh);
+    this.showOutlines();
+    if (wasWhole && isWhole) return;
+    for (const kind of ['drawn', 'compared'] as const) {
+      for (const [i, material] of (this.sets[kind]?.materials ?? []).entries()) {
+        const { isGlass: isClear, blending, premultipliedAlpha } = surfaces[i];
+        material.colorWrite = ink !== 'hidden';
+        material.toneCurve = ink === 'blank' ? BLANK : (shown.look?.[kind]?.toneCurve ?? material.toneCurve);
+        if (!isClear) material.paperOpacity = paper ? 1 : 0;
+        // NoBlending makes a near surface overwrite strokes behind it, also in the gaps between its own strokes.
+        material.blending = paper || isClear ? blending : NoBlending;
+        material.premultipliedAlpha = paper || isClear ? premultipliedAlpha : true;
+        if (ink === 'clear') Object.assign(material, NO_INK);
+        material.needsUpdate = true;
+      }
+    }
   }
 
   set tonalArtMap(map: TonalArtMap) {
-    for (const pair of this.pairs) for (const material of allOf(pair)) material.tonalArtMap = map;
+    for (const [, { materials }] of this.kinds()) for (const material of materials) material.tonalArtMap = map;
   }
 
   /**
@@ -212,134 +231,109 @@ export class HatchedModel {
    */
   setWidths(look: Look, share: number, scale = 1): void {
     const sizes = materialSizesIn(look, share, scale);
-    for (const pair of this.pairs) for (const material of allOf(pair)) Object.assign(material, sizes);
     const outlineSizes = outlineSizesIn(look, share * scale);
-    for (const material of this.outlineMaterials) material.setValues(outlineSizes);
-  }
-
-  /** Shows or hides the paper. Surfaces without paper still hide what is behind them. */
-  showPaper(shown: boolean): void {
-    this.shown = undefined;
-    for (const pair of this.pairs) {
-      const { surface } = pair;
-      for (const material of bothOf(pair)) {
-        if (surface.isGlass) continue;
-        material.paperOpacity = shown ? 1 : 0;
-        // NoBlending makes a near surface overwrite strokes behind it, also in the gaps between its own strokes.
-        material.blending = shown ? surface.blending : NoBlending;
-        material.premultipliedAlpha = shown ? surface.premultipliedAlpha : true;
-        material.needsUpdate = true;
-      }
+    for (const [, { materials, outlineMaterials }] of this.kinds()) {
+      for (const material of materials) Object.assign(material, sizes);
+      for (const material of outlineMaterials) material.setValues(outlineSizes);
     }
-  }
-
-  /**
-   * Shows the model's part of one layer of a picture, which still hides what is behind the model; undefined shows all layers.
-   *
-   * @param layer `shadow` is the ground's layer, to which a model adds nothing
-   */
-  showLayer(layer: 'colour' | 'shadow' | 'strokes' | 'outline' | undefined, look: Look): void {
-    this.apply(look);
-    this.showPaper(layer === undefined || layer === 'colour');
-    for (const pair of this.pairs) {
-      for (const material of bothOf(pair)) {
-        material.colorWrite = layer !== 'shadow';
-        // Outlines are not drawn for a material with colorWrite: false.
-        if (layer === 'outline') Object.assign(material, NO_INK);
-        if (layer === 'colour') material.toneCurve = BLANK;
-      }
-    }
-    if (layer === undefined) return;
-    for (const outlines of this.outlines) outlines.visible &&= layer === 'outline';
   }
 
   /** Selects the materials for the next rendering. */
   useMaterials(kind: MaterialKind): void {
-    for (const entry of this.meshes) entry.mesh.material = entry[kind];
-    if (kind === this.used) return;
-    this.used = kind;
+    const { sets, shown } = this;
+    const { ofMeshes } = sets[kind] ?? sets.drawn;
+    for (const [i, mesh] of this.meshes.entries()) mesh.material = ofMeshes[i];
+    if (kind === shown.kind) return;
+    shown.kind = kind;
     // Nodes that are merely hidden would make the other renderer build programs for them.
-    for (const outlines of this.nodeOutlines ?? []) {
+    for (const outlines of sets.nodes?.outlines ?? []) {
       if (kind === 'nodes') outlines.mesh?.add(outlines);
       else outlines.removeFromParent();
     }
-    this.showOutlines(this.areOutlinesShown);
+    this.showOutlines();
   }
 
   /** Makes node materials with a look, if there are none. */
   makeNodes(makers: NodeMakers, look: Look): void {
-    if (this.nodeOutlines) return;
-    for (const pair of this.pairs) pair.nodes = makers.material(pair.drawn);
-    this.giveMaterials('nodes');
-    const copies = new Map([...this.outlineMaterials].map((material) => [material, makers.outlineMaterial()]));
-    this.nodeOutlines = this.outlines.map(({ mesh, material }) => makers.outlines(mesh, copies.get(material)!));
-    for (const copy of copies.values()) this.outlineMaterials.add(copy);
-    this.shown = undefined;
+    if (this.sets.nodes) return;
+    const copies = new Map(
+      [...this.sets.drawn.outlineMaterials].map((material) => [material, makers.outlineMaterial()]),
+    );
+    const outlines = this.sets.drawn.outlines.map(({ mesh, material }) => makers.outlines(mesh, copies.get(material)!));
+    this.sets.nodes = this.copies(this.drawnMaterials.map(makers.material), outlines);
+    this.shown.look = undefined;
     this.apply(look);
   }
 
   /** Resolves when the node materials have all their textures. */
   async nodesReady(): Promise<void> {
-    await Promise.all(this.pairs.map(({ nodes }) => nodes?.ready));
+    await Promise.all(((this.sets.nodes?.materials ?? []) as HatchingNodeMaterial[]).map(({ ready }) => ready));
   }
 
   /** Frees the node materials, if there are any. */
   dropNodes(): void {
     this.useMaterials('drawn');
-    for (const pair of this.pairs) {
-      pair.nodes?.dispose();
-      pair.nodes = undefined;
-    }
-    this.giveMaterials('nodes');
-    for (const outlines of this.nodeOutlines ?? []) {
-      outlines.dispose();
-      outlines.material.dispose();
-      this.outlineMaterials.delete(outlines.material);
-    }
-    this.nodeOutlines = undefined;
+    const { materials = [], outlines = [] } = this.sets.nodes ?? {};
+    for (const one of outlines) one.dispose();
+    for (const one of [...materials, ...outlines.map(({ material }) => material)]) one.dispose();
+    this.sets.nodes = undefined;
   }
 
   /** Tells the materials which geometries they will draw, so that a renderer's `compile` builds exactly those programs. */
   announce(): void {
-    for (const { mesh } of this.meshes)
+    for (const mesh of this.meshes)
       for (const material of [mesh.material].flat()) (material as Partial<HatchingMaterial>).announce?.(mesh);
   }
 
   /** As the function {@link releaseGraphics}, including materials and pictures that no mesh shows at the moment. */
   releaseGraphics(): void {
     releaseGraphics(this.root);
-    for (const pair of this.pairs) {
-      for (const material of bothOf(pair)) releaseMaterial(material);
-      pair.surface.map?.dispose();
-    }
+    for (const kind of ['drawn', 'compared'] as const) this.sets[kind]?.materials.forEach(releaseMaterial);
+    for (const { map } of this.surfaces) map?.dispose();
   }
 
   dispose(): void {
     this.dropNodes();
-    for (const { compared, surface } of this.pairs) {
-      compared?.dispose();
-      surface.map?.dispose();
-    }
+    for (const material of this.sets.compared?.materials ?? []) material.dispose();
+    for (const { map } of this.surfaces) map?.dispose();
     this.free();
   }
 
-  /** Copies the materials for a comparison. Made only on demand, because models may have thousands of materials. */
-  private makeCopies(): void {
-    if (this.pairs.every(({ compared }) => compared)) return;
-    for (const pair of this.pairs) pair.compared = pair.drawn.clone();
-    this.giveMaterials('compared');
+  private get drawnMaterials(): readonly HatchingMaterial[] {
+    return this.sets.drawn.materials as readonly HatchingMaterial[];
   }
 
-  /** Assigns the materials of a kind to the meshes, for as many pairs as have one. */
-  private giveMaterials(kind: 'compared' | 'nodes'): void {
-    const copies = new Map<Material, Material | undefined>(this.pairs.map((pair) => [pair.drawn, pair[kind]]));
+  private kinds(): [MaterialKind, MaterialSet][] {
+    return Object.entries(this.sets).filter(([, set]) => set) as [MaterialKind, MaterialSet][];
+  }
+
+  /** Copies of the drawn materials, with those of each mesh. Made on demand, because models may have thousands. */
+  private copies(materials: readonly EitherMaterial[], outlines: MaterialSet['outlines'] = []): MaterialSet {
+    const copies = new Map<Material, Material>(this.drawnMaterials.map((drawn, i) => [drawn, materials[i]]));
     const copyOf = (material: Material): Material => copies.get(material) ?? material;
-    for (const entry of this.meshes) {
-      const { drawn } = entry;
-      entry[kind] = Array.isArray(drawn) ? drawn.map(copyOf) : copyOf(drawn);
-    }
+    const ofMeshes = this.sets.drawn.ofMeshes.map((drawn) =>
+      Array.isArray(drawn) ? drawn.map(copyOf) : copyOf(drawn),
+    );
+    return setOf(materials, outlines, ofMeshes);
+  }
+
+  private showOutlines(): void {
+    const { sets, shown } = this;
+    for (const outlines of sets.drawn.outlines) outlines.visible = shown.outlines && shown.kind !== 'nodes';
+    for (const outlines of sets.nodes?.outlines ?? []) outlines.visible = shown.outlines;
   }
 }
+
+const setOf = (
+  materials: MaterialSet['materials'],
+  outlines: MaterialSet['outlines'],
+  ofMeshes: MaterialSet['ofMeshes'],
+): MaterialSet => ({
+  materials,
+  outlines,
+  ofMeshes,
+  outlineMaterials: new Set(outlines.map(({ material }) => material)),
+});
 
 /** A look with `anchored` in place of techniques that need triangle adjacency. */
 function withoutAdjacency(look: Look): Look {
@@ -353,23 +347,10 @@ function withoutAdjacency(look: Look): Look {
 const materialKey = ({ drawn, compared, outlines, showsSurfaceColors }: Look): string =>
   JSON.stringify([drawn, compared, outlines, showsSurfaceColors]);
 
-/** The drawn material, and its copy for comparison if there is one. */
-const bothOf = ({ drawn, compared }: MaterialPair): HatchingMaterial[] => (compared ? [drawn, compared] : [drawn]);
-
-/** As {@link bothOf}, plus the node material if there is one. */
-const allOf = (pair: MaterialPair): EitherMaterial[] => (pair.nodes ? [...bothOf(pair), pair.nodes] : bothOf(pair));
-
 function surfaceOf(material: HatchingMaterial): Surface {
-  const { color, map, vertexColors, alphaTest, transparent, blending, premultipliedAlpha } = material;
-  return {
-    color: color.clone(),
-    map,
-    vertexColors,
-    alphaTest,
-    isGlass: transparent,
-    blending,
-    premultipliedAlpha,
-  };
+  const { color, map, vertexColors, alphaTest, transparent: isGlass, blending, premultipliedAlpha } = material;
+  const scale = material.tilesPerUnit;
+  return { color: color.clone(), map, vertexColors, alphaTest, isGlass, blending, premultipliedAlpha, scale };
 }
 
 /** Whether all materials of a mesh are see-through, so that it neither casts nor receives shadows. */

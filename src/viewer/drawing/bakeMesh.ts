@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, type Side } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
 import { type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
-import { isOpen } from './isOpen.js';
+import { isOpen } from './statistics.js';
 
 /** Meshes with up to this many triangles always get adjacency, so that every technique can draw them at once. */
 const MOST_WITH_ADJACENCY = 200_000;

@@ -9,7 +9,7 @@ import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
 import { meshesOf } from './meshesOf.js';
 import { outlineOf } from './outlineOf.js';
-import { statisticsOf } from './statisticsOf.js';
+import { statisticsOf } from './statistics.js';
 
 /** The largest normalised values of a signed 16-bit and of an unsigned 8-bit integer, which stand for 1. */
 const [ONE, BYTE_ONE] = [0x7fff, 0xff];

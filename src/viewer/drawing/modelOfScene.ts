@@ -28,7 +28,7 @@ import { Motion } from './Motion.js';
 import { meshesOf } from './meshesOf.js';
 import { freeGraphics } from './releaseGraphics.js';
 import { carryingBox, standingBox } from './standingBox.js';
-import { statisticsOf } from './statisticsOf.js';
+import { statisticsOf } from './statistics.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 

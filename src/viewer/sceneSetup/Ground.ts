@@ -110,12 +110,8 @@ export class Ground {
     material.depthWrite = !isClear;
   }
 
-  /** Shows the ground's part of a layer: `shadow` its strokes, `colour` the paper of a floor; undefined shows all. */
-  showLayer(layer: Layer | undefined, look: Look): void {
-    if (layer === undefined) {
-      this.apply(look);
-      return;
-    }
+  /** Shows the ground's part of a layer until a look is applied: `shadow` its strokes, `colour` the paper of a floor. */
+  showLayer(layer: Layer): void {
     const isFloor = this.kind === 'floor';
     this.holder.visible &&= layer === 'shadow' || (layer === 'colour' && isFloor);
     this.showPaper(layer === 'colour');

@@ -16,8 +16,8 @@ export const meaning: readonly Mutation[] = [
   {
     name: 'glass casts shadows',
     file: 'src/viewer/drawing/HatchedModel.ts',
-    find: 'mesh.castShadow = areCast && !isGlass(mesh)',
-    replace: 'mesh.castShadow = areCast',
+    find: 'mesh.castShadow = shadows && !isGlass(mesh)',
+    replace: 'mesh.castShadow = shadows',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/drawing/glass.test.ts',

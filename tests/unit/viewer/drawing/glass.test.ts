@@ -67,7 +67,7 @@ const materialOf = (mesh: Mesh): HatchingMaterial => [mesh.material].flat()[0] a
 
 /** The lines of a drawing from the front, in millimetres, without outlines. */
 async function drawnOf(model: HatchedModel): Promise<number> {
-  model.showOutlines(false);
+  model.show('whole', false);
   const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
   camera.position.z = 5;
   const light = new DirectionalLight('white', 1);
@@ -132,8 +132,8 @@ describe('a shell', () => {
     expect(whole).toBeGreaterThanOrEqual(inside);
     expect(whole).toBeLessThan(1.5 * inside);
     // Without paper it is what it was.
-    model.showPaper(false);
-    model.showPaper(true);
+    model.show('ink');
+    model.show('whole');
     expect(materialOf(pane).paperOpacity).toBe(0);
     model.dispose();
   });

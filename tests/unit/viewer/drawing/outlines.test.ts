@@ -10,7 +10,9 @@ import {
   Texture,
 } from 'three';
 import { describe, expect, test } from 'vitest';
+import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
+import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
 import { modelOfMesh } from '../../../../src/viewer/drawing/modelOfMesh.js';
 import { modelOfScene } from '../../../../src/viewer/drawing/modelOfScene.js';
 import { type Look, lookOf } from '../../../../src/viewer/settings/lookOf.js';
@@ -99,3 +101,38 @@ describe('the outlines of a model', () => {
     expect(outlinesIn(model.root)).toEqual([]);
   });
 });
+
+test.each(['sketch', 'ink', 'colour', 'shadow', 'strokes', 'outline'] as const)(
+  'after the part %s of a picture, the model is whole again',
+  async (part) => {
+    const model = await hatchedBox();
+    const look = lookWith({ outlines: 'on', compare: 'triangle' });
+    model.apply(look);
+    model.useMaterials('compared');
+    const [mesh] = meshesOf(model.root);
+    const compared = mesh.material as HatchingMaterial;
+    model.useMaterials('drawn');
+    const materials = [mesh.material as HatchingMaterial, compared];
+    const state = () => ({
+      materials: materials.map(({ paperOpacity, blending, premultipliedAlpha, colorWrite, toneCurve }) => {
+        return { paperOpacity, blending, premultipliedAlpha, colorWrite, toneCurve };
+      }),
+      outlines: outlinesIn(model.root).map(({ visible }) => visible),
+      castShadow: mesh.castShadow,
+    });
+    const whole = state();
+    expect(whole.outlines).toEqual([true]);
+    expect(whole.materials[0].toneCurve).toEqual(whole.materials[1].toneCurve);
+    model.show(part);
+    expect(state()).not.toEqual(whole);
+    expect(state().outlines).toEqual([part === 'ink' || part === 'outline']);
+    model.show(part, false);
+    expect(state().outlines).toEqual([false]);
+    model.show('whole');
+    expect(state()).toEqual(whole);
+    model.show(part);
+    model.apply(look);
+    expect(state()).toEqual(whole);
+    model.dispose();
+  },
+);

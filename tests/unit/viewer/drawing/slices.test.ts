@@ -96,9 +96,9 @@ test('settings are applied material by material, and only where another drawing 
   model.apply(lookOf({ ...settings, model: 'file', upAxis: 'z', lightAzimuth: 12 }));
   expect(written()).toBe(false);
   const curve = materials[0].toneCurve;
-  model.showLayer('colour', look);
+  model.show('colour');
   expect(materials[0].toneCurve).not.toEqual(curve);
-  model.showLayer(undefined, look);
+  model.show('whole');
   expect(materials[0].toneCurve).toEqual(curve);
   written();
   model.apply(lookOf({ ...settings, ink: '#000000' }));

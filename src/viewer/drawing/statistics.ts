@@ -1,8 +1,17 @@
 import type { Object3D } from 'three';
 import type { HatchingStatistics } from 'three-hatching';
 import { placements } from '../files/scenes/placements.js';
-import type { ModelStatistics } from './HatchedModel.js';
 import { meshesOf } from './meshesOf.js';
+
+/** Statistics of the bake, summed over a model. */
+export interface ModelStatistics {
+  triangles: number;
+  borderEdges: number;
+  nonManifoldEdges: number;
+  unpairedEdges: number;
+  inconsistentEdges: number;
+  degenerateTriangles: number;
+}
 
 /** Sums over all meshes. Instances and shared geometries count each time they are drawn. */
 export function statisticsOf(root: Object3D): ModelStatistics {
@@ -22,3 +31,11 @@ export function statisticsOf(root: Object3D): ModelStatistics {
   }
   return sums;
 }
+
+/** Whether back faces can be visible: the surface has borders, or its windings are inconsistent. */
+export const isOpen = ({
+  borderEdges,
+  unpairedEdges,
+  inconsistentEdges,
+}: Pick<ModelStatistics, 'borderEdges' | 'unpairedEdges' | 'inconsistentEdges'>): boolean =>
+  borderEdges + unpairedEdges + inconsistentEdges > 0;
