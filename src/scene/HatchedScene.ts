@@ -6,6 +6,7 @@ import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js'
 import type { MeshLook } from './geometryPlans.js';
 import type { LaterForms } from './LaterForms.js';
 import type { MaterialFollower } from './MaterialReplacer.js';
+import { claimMeshes, isHatching, materialsOf } from './surfaceMeshes.js';
 
 /** A mesh that was left unchanged, or hatched without the outlines that were requested. */
 export interface SkippedMesh {
@@ -16,41 +17,59 @@ export interface SkippedMesh {
   error?: Error | undefined;
 }
 
+/** New looks of meshes that are ready to be shown. */
+export interface MadeLooks {
+  looks: readonly MeshLook[];
+  /** All new materials. */
+  materials: readonly HatchingMaterial[];
+  /** The outlines of all meshes, if requested. */
+  outlines: readonly HatchingOutlines[];
+  /** Meshes that were left alone, or have no outlines. */
+  skipped: readonly SkippedMesh[];
+  /** Copy changes from the materials that were replaced. */
+  followers: readonly MaterialFollower[];
+  /** Everything that `dispose()` frees. */
+  disposables: { dispose(): void }[];
+  /** Bakes form fields from now on, if lines follow the form anywhere. */
+  forms: LaterForms | null;
+  /** Starts to draw levels of detail; the returned function ends it. */
+  showDetail: (() => () => void) | undefined;
+}
+
 /** A scene hatched by `applyHatching`, which can be restored. */
 export class HatchedScene {
   /** @internal */
   readonly isHatchedScene = true;
+  /** All new materials; you may change them. */
+  readonly materials: readonly HatchingMaterial[];
+  /** The outlines of all meshes, if requested; you may change their materials. */
+  readonly outlines: readonly HatchingOutlines[];
+  /** Meshes that were left alone, or have no outlines. */
+  readonly skipped: readonly SkippedMesh[];
+  /** What each mesh looked like, and looks like; empty once it is restored. */
   private changes: readonly LookChange[];
   /** The identities of the hatched meshes. */
   private held: ReadonlySet<object>;
+  private readonly releaseMeshes: () => void;
+  private readonly hideDetail: (() => void) | undefined;
 
-  /**
-   * Gives the meshes their new looks, all at once.
-   *
-   * @param materials all new materials; you may change them
-   * @param outlines the outlines of all meshes, if requested; you may change their materials
-   * @param skipped meshes that were left alone, or have no outlines
-   * @param followers copy changes from the materials that were replaced
-   * @param disposables everything that `dispose()` frees
-   * @param releaseMeshes called when the meshes are restored
-   * @param forms bakes form fields from now on, if lines follow the form anywhere
-   * @internal
-   */
-  constructor(
-    looks: readonly MeshLook[],
-    readonly materials: readonly HatchingMaterial[],
-    readonly outlines: readonly HatchingOutlines[],
-    readonly skipped: readonly SkippedMesh[],
-    private readonly followers: readonly MaterialFollower[],
-    private readonly disposables: { dispose(): void }[],
-    private readonly releaseMeshes: () => void,
-    private readonly forms: LaterForms | null,
-  ) {
+  /** Gives the meshes their new looks, all at once. @internal */
+  constructor(private readonly made: MadeLooks) {
+    const { looks, outlines, forms } = made;
+    this.materials = made.materials;
+    this.outlines = outlines;
+    this.skipped = made.skipped;
+    const meshes = looks.map(({ mesh }) => mesh);
+    this.releaseMeshes = claimMeshes(meshes);
+    this.hideDetail = made.showDetail?.();
     this.changes = looks.map((after) => ({ before: lookOf(after.mesh), after }));
-    this.held = new Set(looks.map(({ mesh }) => identityOf(mesh)));
+    this.held = new Set(meshes.map(identityOf));
     for (const { before, after } of this.changes) exchangeLook(before, after);
     for (const child of outlines) child.mesh?.add(child);
     forms?.start(looks);
+    for (const mesh of meshes) {
+      for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce?.(mesh);
+    }
   }
 
   /**
@@ -60,12 +79,12 @@ export class HatchedScene {
    * wait for, it resolves at once. It never rejects: if a form could not be baked, the console says why. `restore()` stops the bake.
    */
   get formReady(): Promise<readonly Mesh[]> {
-    return Promise.resolve(this.forms?.ready).then(() => this.formed);
+    return Promise.resolve(this.made.forms?.ready).then(() => this.formed);
   }
 
   /** The meshes that were given another geometry so far. @internal */
   get formed(): readonly Mesh[] {
-    return this.forms?.meshes ?? [];
+    return this.made.forms?.meshes ?? [];
   }
 
   /**
@@ -73,18 +92,19 @@ export class HatchedScene {
    * stays. A second call does nothing. The new geometries and materials stay usable until `dispose()`.
    */
   restore(): void {
-    this.forms?.stop();
+    this.made.forms?.stop();
     for (const child of this.outlines) child.removeFromParent();
     for (const { before, after } of this.changes) exchangeLook(after, before);
     this.changes = [];
     this.held = new Set();
+    this.hideDetail?.();
     this.releaseMeshes();
   }
 
   /** Restores the meshes, and frees all new geometries, materials and outlines, and a map that was generated for this call. */
   dispose(): void {
     this.restore();
-    for (const disposable of this.disposables.splice(0)) disposable.dispose();
+    for (const disposable of this.made.disposables.splice(0)) disposable.dispose();
   }
 
   /**
@@ -95,7 +115,7 @@ export class HatchedScene {
    * Call it before a frame if your code changes the former materials; `<Hatched>` does so. It costs a comparison per property.
    */
   follow(): void {
-    for (const follower of this.followers) follower.follow();
+    for (const follower of this.made.followers) follower.follow();
     for (const { before, after } of this.changes) {
       const { mesh, geometry, material } = after;
       if (mesh.geometry !== geometry || mesh.material !== material) exchangeLook(before, after);

@@ -8,76 +8,83 @@ import { fadeIn, fadeOut, showLines } from '../material/geometry/lineFades.js';
 import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
+import { bakeGeometries } from './bakeGeometries.js';
 import { runSliced } from '../mesh/phases.js';
 import type { FirstFrame } from './FirstFrame.js';
 import { askingMaterials, cornerCount, crossingOf, type GeometryPlan, type MeshLook, type PlannedMesh } from './geometryPlans.js';
 import type { MakeLevels } from './levelMaker.js';
-import { bakeGeometries } from './making/bakeGeometries.js';
 import { isBatched } from './surfaceMeshes.js';
 
 /** The time in milliseconds for which an angle must stay unchanged before lines are baked at it: a slider may still be moving. */
 const ANGLE_REST_MS = 150;
 
-/** Listeners to fields that are baked after the first picture: see `ApplyHatchingOptions`. */
-interface Listeners {
-  onFormProgress?: ((progress: number) => void) | undefined;
-  invalidate?: (() => void) | undefined;
-}
-
 type Plans = ReadonlyMap<BufferGeometry, GeometryPlan>;
 
-/** A prepared geometry in use, its replacement, and the source geometry and plan of both. */
-interface Exchange {
-  from: BufferGeometry;
-  to: BufferGeometry;
+/** What bakes share with the call of `applyHatching`, which documents the listeners. */
+interface CallParts {
+  onFormProgress?: ((progress: number) => void) | undefined;
+  invalidate?: (() => void) | undefined;
+  /** Holds the geometries in use. */
+  disposables: { dispose(): void }[];
+  firstFrame: FirstFrame | null;
+  detail: MakeLevels | null;
+}
+
+/** A source geometry whose lines follow the form, or will. */
+interface Field {
   source: BufferGeometry;
+  /** How its field is to be baked: with the angle that its material asks for. */
+  plan: GeometryPlan;
+  /** The prepared geometry in use. */
+  drawn: BufferGeometry;
+  /** Whether the field of `drawn` is missing, or has another angle. */
+  isAwaited: boolean;
+  /** Ends the drawing of levels of detail, if there are any. */
+  hideDetail?: (() => void) | undefined;
 }
 
 /**
- * Bakes form fields after a scene was hatched: those of large geometries, whose lines follow the light until then, so that the first
- * picture does not wait; and those whose angle between crossing lines has changed.
+ * Bakes form fields after a scene was hatched: those of large geometries, so that the first picture does not wait, and those whose angle
+ * between crossing lines has changed. Each geometry is in one of these states:
+ *
+ * | state    | lines follow              | leads to |
+ * | -------- | ------------------------- | -------- |
+ * | awaited  | the light                 | formed, when the first run ends; after a failure it stays, and the console says why |
+ * | formed   | the form                  | turned, when the `crossAngle` of its material changes |
+ * | turned   | the form, at a former angle | formed, when the run of the latest angle ends, which starts 150 ms after the change |
+ *
+ * The first run and the latest run for angles go on side by side, as they bake different geometries; `ready` waits for both. `stop()`
+ * aborts both, and leaves every geometry as it is.
  */
 export class LaterForms {
   /** The plans of all geometries, without the fields that are baked later. */
   readonly atOnce: Plans;
   /** Resolves when no bake is running. */
   ready: Promise<void> = Promise.resolve();
-  private readonly later = new Map<BufferGeometry, GeometryPlan>();
-  /** The prepared geometry in use for each source geometry that has a field or will get one. */
-  private readonly drawn = new Map<BufferGeometry, BufferGeometry>();
+  private readonly fields: Field[] = [];
   private looks: readonly MeshLook[] = [];
   /** The looks that were given another geometry. */
   private readonly changed = new Set<MeshLook>();
-  /** The angles, in radians, at which the lines of geometries are still to be baked. */
-  private readonly angles = new Map<BufferGeometry, number>();
-  private turning = new AbortController();
   private readonly stopping = new AbortController();
-  /** Functions that end the drawing of levels of detail, one per geometry. */
-  private readonly hideDetail = new Map<BufferGeometry, () => void>();
+  /** Aborts the latest run for angles. */
+  private turning = new AbortController();
 
   /**
    * @param plans the plans of all geometries
    * @param materials for each geometry, the material that decides the angle between crossing lines, unless an option does
-   * @param options options of the bake
-   * @param listeners are called during and after bakes
-   * @param disposables holds the geometries in use
-   * @param drawing prepares frames, if the renderer is known, and makes levels of detail, if they are requested
+   * @param prepare options of the bake
    */
   constructor(
     private readonly plans: Plans,
     private readonly materials: ReadonlyMap<BufferGeometry, HatchingMaterial>,
-    private readonly options: PrepareHatchingGeometryOptions,
-    private readonly listeners: Listeners,
-    private readonly disposables: { dispose(): void }[],
-    private readonly drawing: { firstFrame: FirstFrame | null; detail: MakeLevels | null },
+    private readonly prepare: PrepareHatchingGeometryOptions,
+    private readonly call: CallParts,
   ) {
     this.atOnce = new Map(
-      [...plans].map(([geometry, plan]) => {
-        const shared = plan.group?.parts.map((part) => part.geometry) ?? [geometry];
-        if (!plan.form || !shared.some(isLarge)) return [geometry, plan];
-        this.later.set(geometry, plan);
-        return [geometry, { ...plan, form: false, group: undefined }];
-      }),
+      [...plans].map(([geometry, plan]) => [
+        geometry,
+        isLater(geometry, plan) ? { ...plan, form: false, group: undefined } : plan,
+      ]),
     );
   }
 
@@ -89,60 +96,56 @@ export class LaterForms {
   /** Sets how meshes are drawn until their fields are baked. Must be called before the first draw. */
   drawMeanwhile(baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>): void {
     for (const [source, plan] of this.plans) {
-      const prepared = baked.get(source);
-      if (!prepared || prepared instanceof Error) continue;
-      if (this.later.has(source)) expectForm(prepared);
-      else if (!isFormed(prepared)) continue;
-      this.drawn.set(source, prepared);
-      this.watch(source, plan);
+      const drawn = baked.get(source);
+      if (!drawn || drawn instanceof Error) continue;
+      const isAwaited = isLater(source, plan);
+      if (isAwaited) expectForm(drawn);
+      else if (!isFormed(drawn)) continue;
+      const field = { source, plan, drawn, isAwaited };
+      this.fields.push(field);
+      this.watch(field);
     }
   }
 
   /** Starts the bakes. @param looks the looks of the meshes, whose geometries will be replaced */
   start(looks: readonly MeshLook[]): void {
     this.looks = looks;
-    this.options.signal?.addEventListener('abort', () => this.stop());
-    const plans = new Map([...this.later].filter(([source]) => this.drawn.has(source)));
-    if (plans.size > 0) this.ready = this.replace(plans, this.stopping.signal, 'lines go by the light');
+    this.prepare.signal?.addEventListener('abort', () => this.stop());
+    const awaited = this.fields.filter(({ isAwaited }) => isAwaited);
+    if (awaited.length > 0) this.ready = this.bake(awaited, this.stopping.signal, 'lines go by the light');
   }
 
   /** Stops all bakes, and draws whole meshes. */
   stop(): void {
     this.stopping.abort();
     this.turning.abort();
-    for (const hide of this.hideDetail.values()) hide();
-    this.hideDetail.clear();
+    for (const field of this.fields) {
+      field.hideDetail?.();
+      field.hideDetail = undefined;
+    }
   }
 
   /** Watches the angle between crossing lines of a geometry with a field. */
-  private watch(source: BufferGeometry, { form }: GeometryPlan): void {
-    const material = this.materials.get(source);
-    const drawn = this.drawn.get(source)!;
-    if (!material || !isFormed(drawn)) return;
-    const angle = crossAngleOf(form as HatchingFormOptions);
-    watchFormAngle(drawn, material, angle, (other) => this.turn(source, other));
+  private watch(field: Field): void {
+    const material = this.materials.get(field.source);
+    if (!material || !isFormed(field.drawn)) return;
+    const form = field.plan.form as HatchingFormOptions;
+    watchFormAngle(field.drawn, material, crossAngleOf(form), (crossAngle) => {
+      if (this.stopping.signal.aborted) return;
+      field.plan = { ...field.plan, form: { ...form, crossAngle } };
+      field.isAwaited = true;
+      this.turning.abort();
+      this.turning = new AbortController();
+      this.ready = Promise.all([this.ready, this.turn(this.turning.signal)]).then(() => {});
+    });
   }
 
-  /** Bakes a field again, with another angle between crossing lines. The former field is drawn until then. */
-  private turn(source: BufferGeometry, angle: number): void {
-    if (this.stopping.signal.aborted) return;
-    this.angles.set(source, angle);
-    this.turning.abort();
-    this.turning = new AbortController();
-    this.ready = Promise.all([this.ready, this.turned(this.turning.signal)]).then(() => {});
-  }
-
-  private async turned(signal: AbortSignal): Promise<void> {
+  /** Bakes fields again, with other angles between crossing lines. The former fields are drawn until then. */
+  private async turn(signal: AbortSignal): Promise<void> {
     await new Promise((resume) => setTimeout(resume, ANGLE_REST_MS));
     if (signal.aborted) return;
-    const plans = new Map(
-      [...this.angles].map(([source, crossAngle]) => {
-        const plan = this.plans.get(source)!;
-        return [source, { ...plan, form: { ...(plan.form as HatchingFormOptions), crossAngle } }];
-      }),
-    );
-    await this.replace(plans, signal, 'lines cross at their former angle');
-    if (!signal.aborted) this.angles.clear();
+    const turned = this.fields.filter(({ isAwaited, drawn }) => isAwaited && isFormed(drawn));
+    await this.bake(turned, signal, 'lines cross at their former angle');
   }
 
   /**
@@ -150,47 +153,41 @@ export class LaterForms {
    *
    * @param otherwise what is drawn if a bake fails, for the warning
    */
-  private async replace(plans: Plans, signal: AbortSignal, otherwise: string): Promise<void> {
+  private async bake(fields: readonly Field[], signal: AbortSignal, otherwise: string): Promise<void> {
     const made = new Set<BufferGeometry>();
     const sayFailed = ({ message }: Error): void =>
       warn(`applyHatching: ${otherwise}, because their form could not be baked. ${message}`);
     try {
-      const options = { ...this.options, onProgress: this.listeners.onFormProgress, signal };
+      const plans = new Map(fields.map(({ source, plan }) => [source, plan]));
+      const options = { ...this.prepare, onProgress: this.call.onFormProgress, signal };
       const baked = await bakeGeometries(plans, options, { onBaked: (geometry) => made.add(geometry) });
-      const exchanges: Exchange[] = [];
-      for (const [source, to] of baked) {
-        if (to instanceof Error) sayFailed(to);
-        else if (isFormed(to)) exchanges.push({ source, from: this.drawn.get(source)!, to });
+      const next = new Map<Field, BufferGeometry>();
+      for (const field of fields) {
+        const to = baked.get(field.source)!;
+        // A field that cannot be baked is not tried again.
+        if (to instanceof Error) {
+          sayFailed(to);
+          field.isAwaited = false;
+        } else if (isFormed(to)) next.set(field, to);
       }
-      if (exchanges.length === 0) return;
-      for (const { from, to } of exchanges) copyOcclusion(from, to);
-      const looks = this.looksWith(exchanges);
-      const details = await this.makeDetail(looks, signal);
+      if (next.size === 0) return;
+      for (const [{ drawn }, to] of next) copyOcclusion(drawn, to);
+      const looks = this.looks.flatMap((look) => {
+        const field = fields.find(({ drawn }) => drawn === look.geometry);
+        const geometry = field && next.get(field);
+        return geometry ? [{ ...look, geometry }] : [];
+      });
+      const showDetail = await this.makeDetail(looks, signal);
       await this.prepareFrame(looks, signal);
-      await this.changeOver(exchanges, plans, signal, details);
-      for (const { to } of exchanges) made.delete(to);
+      await this.changeOver(next, signal, showDetail);
     } catch (error) {
-      if (!signal.aborted) sayFailed(error as Error);
+      if (signal.aborted) return;
+      for (const field of fields) field.isAwaited = false;
+      sayFailed(error as Error);
     } finally {
-      for (const geometry of made) geometry.dispose();
+      // Those in use are freed with the rest of the call.
+      for (const geometry of made) if (!this.call.disposables.includes(geometry)) geometry.dispose();
     }
-  }
-
-  /** Compiles programs and uploads geometries before they are drawn, so that no frame waits for it. */
-  private async prepareFrame(looks: readonly MeshLook[], signal: AbortSignal): Promise<void> {
-    const { firstFrame } = this.drawing;
-    if (!firstFrame) return;
-    firstFrame.compile(looks, [], true);
-    await runSliced(firstFrame.upload(looks), { signal });
-    await firstFrame.built(signal);
-  }
-
-  /** The looks that meshes will have. */
-  private looksWith(exchanges: readonly Exchange[]): MeshLook[] {
-    return this.looks.flatMap((look) => {
-      const exchange = exchanges.find(({ from }) => from === look.geometry);
-      return exchange ? [{ ...look, geometry: exchange.to }] : [];
-    });
   }
 
   /** Makes levels of detail of geometries, if they are requested. Each gets the levels of the geometry that it replaces. */
@@ -199,7 +196,7 @@ export class LaterForms {
     signal: AbortSignal,
   ): Promise<ReadonlyMap<BufferGeometry, () => () => void>> {
     const details = new Map<BufferGeometry, () => () => void>();
-    const { detail } = this.drawing;
+    const { detail } = this.call;
     if (!detail) return details;
     for (const geometry of new Set(looks.map((look) => look.geometry))) {
       const its = looks.filter((look) => look.geometry === geometry);
@@ -209,32 +206,39 @@ export class LaterForms {
     return details;
   }
 
+  /** Compiles programs and uploads geometries before they are drawn, so that no frame waits for it. */
+  private async prepareFrame(looks: readonly MeshLook[], signal: AbortSignal): Promise<void> {
+    const { firstFrame } = this.call;
+    if (!firstFrame) return;
+    firstFrame.compile(looks, [], true);
+    await runSliced(firstFrame.upload(looks), { signal });
+    await firstFrame.built(signal);
+  }
+
   /**
    * Changes to other geometries. Lines along the light fade into an even grey of their tone, and lines along the form fade in from it.
    */
   private async changeOver(
-    exchanges: readonly Exchange[],
-    plans: Plans,
+    next: ReadonlyMap<Field, BufferGeometry>,
     signal: AbortSignal,
-    details: ReadonlyMap<BufferGeometry, () => () => void>,
+    showDetail: ReadonlyMap<BufferGeometry, () => () => void>,
   ): Promise<void> {
-    const { invalidate = () => {} } = this.listeners;
-    const fading = exchanges.filter(({ from }) => !isFormed(from));
-    const before = fading.map(({ from }) => from);
+    const { invalidate = () => {} } = this.call;
+    const fading = [...next].filter(([{ drawn }]) => !isFormed(drawn));
+    const before = fading.map(([{ drawn }]) => drawn);
     await fadeOut(before, signal, invalidate);
     showLines(before);
     signal.throwIfAborted();
-    for (const { from, to, source } of exchanges) {
-      this.exchange(from, to);
-      this.hideDetail.get(from)?.();
-      this.hideDetail.delete(from);
-      const showDetail = details.get(to);
-      if (showDetail) this.hideDetail.set(to, showDetail());
-      this.drawn.set(source, to);
-      this.watch(source, plans.get(source)!);
+    for (const [field, to] of next) {
+      this.exchange(field.drawn, to);
+      field.hideDetail?.();
+      field.hideDetail = showDetail.get(to)?.();
+      field.drawn = to;
+      field.isAwaited = false;
+      this.watch(field);
     }
     await fadeIn(
-      fading.map(({ to }) => to),
+      fading.map(([, to]) => to),
       signal,
       invalidate,
     );
@@ -249,10 +253,15 @@ export class LaterForms {
       if (isSame(look.mesh.geometry, from)) look.mesh.geometry = to;
       this.changed.add(look);
     }
-    this.disposables[this.disposables.indexOf(from)] = to;
+    const { disposables } = this.call;
+    disposables[disposables.indexOf(from)] = to;
     from.dispose();
   }
 }
+
+/** Whether a field is baked after the first picture: that of a large geometry, or of one that touches a large one. */
+const isLater = (geometry: BufferGeometry, { form, group }: GeometryPlan): boolean =>
+  Boolean(form) && (group?.parts.map((part) => part.geometry) ?? [geometry]).some(isLarge);
 
 const isLarge = (geometry: BufferGeometry): boolean => cornerCount(geometry) > 3 * MANY_TRIANGLES;
 

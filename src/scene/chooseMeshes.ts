@@ -1,8 +1,8 @@
 import type { Mesh } from 'three';
 import { describeObject } from '../material/diagnostics/describeObject.js';
-import { identityOf } from '../material/geometry/identityOf.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import { leftAlone } from './leftAlone.js';
+import { isClaimed } from './surfaceMeshes.js';
 
 /** The greatest number of meshes that an error names. */
 const MAX_NAMED = 3;
@@ -51,22 +51,6 @@ export function sentencesOf(skipped: readonly SkippedMesh[]): string {
   const sentences = skipped.slice(0, MAX_NAMED).map(({ reason }) => reason);
   if (more > 0) sentences.push(`So ${more === 1 ? 'is one more mesh' : `are ${more} more meshes`}.`);
   return sentences.join(' ');
-}
-
-/** The identities of the claimed meshes. */
-const claimed = new WeakSet<object>();
-
-/** Whether a mesh, or a proxy of it, is hatched or being hatched. */
-export const isClaimed = (mesh: Mesh): boolean => claimed.has(identityOf(mesh));
-
-/** Marks meshes as hatched, or as being hatched, until the returned function is called. A second call of that function does nothing. */
-export function claimMeshes(meshes: readonly Mesh[]): () => void {
-  for (const mesh of meshes) claimed.add(identityOf(mesh));
-  let held = meshes;
-  return () => {
-    for (const mesh of held) claimed.delete(identityOf(mesh));
-    held = [];
-  };
 }
 
 /** The function name at the beginning of an error message. */

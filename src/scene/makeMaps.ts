@@ -1,9 +1,9 @@
-import { checkTonalArtMap } from '../../material/checkTonalArtMap.js';
-import type { TonalArtMap } from '../../material/tam/TonalArtMap.js';
-import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
-import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
-import type { TaskOptions } from '../../worker/TaskOptions.js';
-import { isToBeMade, type WantedMap } from '../applyOptions.js';
+import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
+import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
+import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
+import type { TaskOptions } from '../worker/TaskOptions.js';
+import { isToBeMade, type WantedMap } from './applyOptions.js';
 import { progressParts } from './bakeGeometries.js';
 
 /**
@@ -49,7 +49,7 @@ async function makeMap(
 }
 
 /** Imports the code of maps, which looks without a map do not need. */
-const fetchMaps = () => import('../../material/tam/TonalArtMap.js');
+const fetchMaps = () => import('../material/tam/TonalArtMap.js');
 
 const namesStyleAlone = (drawing: MapDrawing): boolean =>
   Object.entries(drawing).every(([name, value]) => name === 'style' || value === undefined);

@@ -1,25 +1,87 @@
-/** Applies the new looks to meshes after the bake. This module is fetched while geometries are baked. */
-import { Box3, type BufferGeometry, Matrix4, type Mesh, type Object3D, Sphere, type Vector3 } from 'three';
-import { describeObject } from '../../material/diagnostics/describeObject.js';
-import { SceneExtent } from '../../material/fading/SceneExtent.js';
-import type { HatchingOutlines } from '../../material/outlines/HatchingOutlines.js';
-import { cornerLayout } from '../../mesh/bake/attributeLayouts.js';
-import { failure, sentencesOf } from '../chooseMeshes.js';
-import type { MeshLook } from '../geometryPlans.js';
-import { needsNoAdjacency, type OldLook, type PlannedMesh } from '../geometryPlans.js';
-import type { SkippedMesh } from '../HatchedScene.js';
-import type { MaterialReplacer } from '../MaterialReplacer.js';
-import type { OutlineMaker } from '../OutlineMaker.js';
-import { isBatched } from '../surfaceMeshes.js';
-import { worldMatrices, worldScale } from '../worldMatrices.js';
+import {
+  Box3,
+  type BufferGeometry,
+  type Material,
+  Matrix4,
+  type Mesh,
+  type Object3D,
+  Sphere,
+  type Vector3,
+} from 'three';
+import { describeObject } from '../material/diagnostics/describeObject.js';
+import { SceneExtent } from '../material/fading/SceneExtent.js';
+import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
+import { cornerLayout } from '../mesh/bake/attributeLayouts.js';
+import { runSliced } from '../mesh/runSliced.js';
+import { type ChosenMeshes, failure, sentencesOf } from './chooseMeshes.js';
+import { type MeshLook, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
+import { HatchedScene, type SkippedMesh } from './HatchedScene.js';
+import type { HatchingCall } from './HatchingCall.js';
+import type { LaterForms } from './LaterForms.js';
+import type { MaterialReplacer } from './MaterialReplacer.js';
+import type { OutlineMaker } from './OutlineMaker.js';
+import { isBatched } from './surfaceMeshes.js';
+import { worldMatrices, worldScale } from './worldMatrices.js';
 
-export { HatchedScene } from '../HatchedScene.js';
+/** Applies the new looks to meshes after the bake. This module is fetched while geometries are baked. */
+
+/** What was planned and made for a call. */
+interface Made {
+  choice: ChosenMeshes;
+  unreadable: readonly SkippedMesh[];
+  replacer: MaterialReplacer;
+  planned: readonly PlannedMesh[];
+  baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>;
+  forms: LaterForms | null;
+}
+
+type OnProgress = ((progress: number) => void) | undefined;
+
+/** Gives looks their sizes, frames of lines, outlines, levels of detail and programs. @returns the function that shows them */
+export async function dressLooks(
+  { root, options, firstFrame, outlineMaker, detail, disposables, asBefore }: HatchingCall,
+  { choice, unreadable, replacer, planned, baked, forms }: Made,
+  onFrame: OnProgress,
+  onDetail: OnProgress,
+): Promise<() => HatchedScene> {
+  const { signal, tilesPerWorldUnit } = options;
+  const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
+  skipped.push(...unreadable);
+  if (looks.length === 0) assertNoFailure(skipped);
+  signal?.throwIfAborted();
+  const finishing = finishLooks(root, looks, choice.claimed, replacer, { tilesPerWorldUnit, outlineMaker });
+  const outlines = await runSliced(finishing, { signal });
+  const showDetail = await detail?.(looks, onDetail);
+  if (firstFrame) {
+    firstFrame.compile(looks, outlines, true);
+    await runSliced(firstFrame.upload(looks), { signal, onProgress: onFrame });
+    await firstFrame.built(signal);
+    onFrame?.(1);
+  }
+
+  const changed = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
+  const kept = looks.filter(({ mesh }) => !changed.has(mesh));
+  for (const { mesh } of looks) if (changed.has(mesh)) skipped.push(changedMeanwhile(mesh));
+  if (kept.length === 0) assertNoFailure(skipped);
+  const used = new Set<Material>(kept.flatMap(({ material }) => material));
+  return () =>
+    new HatchedScene({
+      looks: kept,
+      materials: replacer.materials.filter((material) => used.has(material)),
+      outlines: outlines.filter(({ mesh }) => !changed.has(mesh!)),
+      skipped: [...choice.skipped, ...skipped, ...(outlineMaker?.without ?? [])],
+      followers: replacer.followers,
+      disposables,
+      forms,
+      showDetail,
+    });
+}
 
 /** The default stroke scale: tiles of the map per radius of the scene. */
 const TILES_PER_RADIUS = 3;
 
 /** Divides the meshes into those that get a new look and those that are skipped. */
-export function collectLooks(
+function collectLooks(
   planned: readonly PlannedMesh[],
   baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>,
 ): { looks: MeshLook[]; skipped: SkippedMesh[] } {
@@ -36,11 +98,11 @@ export function collectLooks(
 }
 
 /** Whether another geometry or material was set on a mesh since. */
-export const hasChanged = ({ mesh, geometry, flatGeometry = geometry, oldMaterial }: OldLook): boolean =>
+const hasChanged = ({ mesh, geometry, flatGeometry = geometry, oldMaterial }: OldLook): boolean =>
   mesh.geometry !== flatGeometry || mesh.material !== oldMaterial;
 
 /** The mesh as a skipped one, with that reason. */
-export const changedMeanwhile = (mesh: Mesh): SkippedMesh =>
+const changedMeanwhile = (mesh: Mesh): SkippedMesh =>
   failure(
     mesh,
     new Error(
@@ -63,9 +125,10 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
  *
  * @returns the outlines, which are not yet added to the scene
  */
-export function* finishLooks(
+function* finishLooks(
   root: Object3D,
-  { looks, claimed }: { looks: readonly MeshLook[]; claimed: readonly Mesh[] },
+  looks: readonly MeshLook[],
+  claimed: readonly Mesh[],
   replacer: MaterialReplacer,
   { tilesPerWorldUnit, outlineMaker }: { tilesPerWorldUnit: number | undefined; outlineMaker: OutlineMaker | null },
 ): Generator<number, readonly HatchingOutlines[], void> {
@@ -96,7 +159,7 @@ function* sphereAround(looks: readonly (MeshLook | Mesh)[]): Generator<number, S
   return whole.radius > 0 && Number.isFinite(whole.radius) ? whole : new Sphere(undefined, 1);
 }
 /** @throws TypeError that names the first meshes that could not be hatched */
-export function assertNoFailure(skipped: readonly SkippedMesh[]): void {
+function assertNoFailure(skipped: readonly SkippedMesh[]): void {
   if (skipped.length === 0) return;
   throw new TypeError(`applyHatching: no mesh could be hatched. ${sentencesOf(skipped)}`, { cause: skipped[0].error });
 }
