@@ -26,32 +26,12 @@ export function warnOfMissingSource(hadSource: boolean): void {
   console.warn('<hatched-model>: there is no src, so nothing is shown. Set src to the address of a glTF or GLB file.');
 }
 
-const PROPERTIES = {
-  src: 'src',
-  preset: 'preset',
-  'color-fill': 'colorFill',
-  'local-tone': 'localTone',
-  exposure: 'exposure',
-  vignette: 'vignette',
-  light: 'light',
-  camera: 'camera',
-  variant: 'variant',
-  controls: 'controls',
-  alt: 'alt',
-  poster: 'poster',
-  'draco-path': 'dracoPath',
-  'ktx2-path': 'ktx2Path',
-} as const;
-/** The attributes whose change loads the model again. */
-const OF_MODEL: readonly string[] = [
-  'src',
-  'preset',
-  'camera',
-  'variant',
-  ...Object.keys(LOOK_NUMBERS),
-  'draco-path',
-  'ktx2-path',
+const ATTRIBUTES = [
+  ...(['src', 'preset', 'color-fill', 'local-tone', 'exposure', 'vignette', 'light', 'camera'] as const),
+  ...(['variant', 'controls', 'alt', 'poster', 'draco-path', 'ktx2-path'] as const),
 ];
+/** The attributes whose change loads the model again. */
+const OF_MODEL: readonly string[] = ATTRIBUTES.filter((name) => !['light', 'controls', 'alt', 'poster'].includes(name));
 /** The distance from the visible part of the page at which a model is loaded. */
 const LOAD_MARGIN = '300px';
 /** The greatest number of pixels per CSS pixel. More take longer and show little. */
@@ -86,9 +66,20 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  *
  * The model is loaded when it comes near the visible part of the page, and drawn when something changes. The events `load` and
  * `error` (an `ErrorEvent` with a sentence as message) report the end of loading. `::part(poster)` and `::part(error)` can be styled.
+ *
+ * | state   | what is shown                     | leads to |
+ * | ------- | --------------------------------- | -------- |
+ * | apart   | nothing: it is in no page         | waiting, when it is inserted |
+ * | waiting | the former drawing, or the poster | loading, when it is near the visible part of the page |
+ * | loading | the former drawing, or the poster | drawn, empty or failed |
+ * | drawn   | the drawing                       | waiting, when an attribute of the model changes |
+ * | empty   | the poster: there is no `src`     | waiting, when an attribute of the model changes |
+ * | failed  | a sentence, over the former drawing | waiting, when an attribute of the model or `light` changes |
+ *
+ * From any state, removing the element from the page frees everything and leads to apart. A change while loading aborts the load.
  */
 export class HatchedModelElement extends Base {
-  static readonly observedAttributes: readonly string[] = Object.keys(PROPERTIES);
+  static readonly observedAttributes: readonly string[] = ATTRIBUTES;
 
   declare src: string;
   declare preset: string;
@@ -113,16 +104,16 @@ export class HatchedModelElement extends Base {
   /** The direction from the model to the camera of the first view. */
   private firstEye = EYE;
   private readonly arrangement: Arrangement = this.home;
-  private viewControls: ViewControls | undefined;
+  private state: 'apart' | 'waiting' | 'loading' | 'drawn' | 'empty' | 'failed' = 'apart';
+  /** What watches the element and its visitors while it is in a page. */
+  private watching: { controls: ViewControls; near: IntersectionObserver; resizes: ResizeObserver } | undefined;
+  /** Aborts the latest load. */
+  private loading = new AbortController();
   private painter: SharedRenderer | undefined;
   private drawing: Drawing | undefined;
-  private loading: AbortController | undefined;
-  private near: IntersectionObserver | undefined;
-  private resizes: ResizeObserver | undefined;
   private isNear = false;
-  private needsModel = true;
-  private hasFailed = false;
   private hadSource = false;
+  /** The frame that was requested, or 0. */
   private frame = 0;
 
   constructor() {
@@ -140,14 +131,15 @@ export class HatchedModelElement extends Base {
 
   connectedCallback(): void {
     // An element that was moved within the page has kept everything.
-    if (this.near) return;
-    this.viewControls = new ViewControls(this.canvas, this.arrangement, () => this.home, this.invalidate);
+    if (this.watching) return;
+    const near = new IntersectionObserver(this.onNear, { rootMargin: LOAD_MARGIN });
+    const resizes = new ResizeObserver(this.invalidate);
+    const controls = new ViewControls(this.canvas, this.arrangement, () => this.home, this.invalidate);
+    this.watching = { controls, near, resizes };
+    this.state = 'waiting';
     Object.assign(this.arrangement.light, this.home.light);
-    this.near = new IntersectionObserver(this.onNear, { rootMargin: LOAD_MARGIN });
-    this.near.observe(this);
-    this.resizes = new ResizeObserver(this.invalidate);
-    this.resizes.observe(this);
-    this.needsModel = true;
+    near.observe(this);
+    resizes.observe(this);
     this.showAlt();
     this.showControls();
     this.showPoster();
@@ -160,9 +152,9 @@ export class HatchedModelElement extends Base {
     });
   }
 
-  attributeChangedCallback(name: keyof typeof PROPERTIES): void {
+  attributeChangedCallback(name: (typeof ATTRIBUTES)[number]): void {
     // Attributes that are set before the element is connected are read when it is.
-    if (!this.near) return;
+    if (this.state === 'apart') return;
     if (OF_MODEL.includes(name)) this.requestModel();
     else if (name === 'light') this.showLight();
     else if (name === 'controls') this.showControls();
@@ -172,20 +164,15 @@ export class HatchedModelElement extends Base {
 
   private readonly onNear = (entries: IntersectionObserverEntry[]): void => {
     this.isNear = entries.at(-1)!.isIntersecting;
-    this.loadWhenNear();
+    void this.load();
     this.invalidate();
   };
 
   private requestModel(): void {
-    this.needsModel = true;
+    this.loading.abort();
+    this.state = 'waiting';
     // Attributes that are set in the same task count as a single change.
-    queueMicrotask(() => this.loadWhenNear());
-  }
-
-  private loadWhenNear(): void {
-    if (!this.isNear || !this.needsModel) return;
-    this.needsModel = false;
-    void this.load();
+    queueMicrotask(() => this.load());
   }
 
   /** The preset with the numbers that attributes override. @throws Error if one is wrong */
@@ -200,14 +187,15 @@ export class HatchedModelElement extends Base {
       : { ...preset, material: { ...preset.material, ...Object.fromEntries(changes) } };
   }
 
-  /** Loads the model and hatches it. The previous drawing stays until it is ready. */
+  /** Loads the model and hatches it, if it is waited for. The previous drawing stays until it is ready. */
   private async load(): Promise<void> {
-    this.loading?.abort();
-    const loading = new AbortController();
-    this.loading = loading;
-    this.hasFailed = false;
+    if (this.state !== 'waiting' || !this.isNear) return;
+    this.state = 'loading';
+    this.loading = new AbortController();
+    const { signal } = this.loading;
     try {
       if (!this.src) {
+        this.state = 'empty';
         this.clear();
         warnOfMissingSource(this.hadSource);
         return;
@@ -216,22 +204,15 @@ export class HatchedModelElement extends Base {
       const preset = this.readLook();
       readLight(this.getAttribute('light'));
       this.painter ??= SharedRenderer.acquire(this.onRestored);
-      const drawing = await Drawing.load(
-        {
-          address: resolve(this.src),
-          variant: this.variant.trim(),
-          folders: { draco: folderOf(this.dracoPath), ktx2: folderOf(this.ktx2Path) },
-          renderer: this.painter.renderer,
-        },
-        preset,
-        this.camera.trim(),
-        loading.signal,
-        this.invalidate,
-      );
-      if (loading.signal.aborted) {
+      const folders = { draco: folderOf(this.dracoPath), ktx2: folderOf(this.ktx2Path) };
+      const { renderer } = this.painter;
+      const source = { address: resolve(this.src), variant: this.variant.trim(), folders, renderer };
+      const drawing = await Drawing.load(source, preset, this.camera.trim(), signal, this.invalidate);
+      if (signal.aborted) {
         drawing.dispose();
         return;
       }
+      this.state = 'drawn';
       this.drawing?.dispose();
       this.drawing = drawing;
       this.showFirst(drawing);
@@ -239,8 +220,8 @@ export class HatchedModelElement extends Base {
       this.invalidate();
       this.dispatchEvent(new Event('load'));
     } catch (error) {
-      if (loading.signal.aborted) return;
-      this.hasFailed = true;
+      if (signal.aborted) return;
+      this.state = 'failed';
       this.fail(error as Error);
     }
   }
@@ -287,7 +268,7 @@ export class HatchedModelElement extends Base {
     this.say('');
     this.invalidate();
     // A wrong light may be the reason why loading failed.
-    if (this.hasFailed) this.requestModel();
+    if (this.state === 'failed') this.requestModel();
   }
 
   private fail(error: Error): void {
@@ -310,7 +291,7 @@ export class HatchedModelElement extends Base {
 
   private showControls(): void {
     const mode = readControls(this.getAttribute('controls'));
-    this.viewControls?.setMode(mode);
+    this.watching?.controls.setMode(mode);
     if (mode === 'none') {
       this.canvas.removeAttribute('tabindex');
       this.canvas.removeAttribute('aria-description');
@@ -353,15 +334,16 @@ export class HatchedModelElement extends Base {
 
   /** Frees everything. If the element is inserted into a page again, it loads again. */
   private release(): void {
+    this.state = 'apart';
     cancelAnimationFrame(this.frame);
     this.frame = 0;
-    this.loading?.abort();
-    this.near?.disconnect();
-    this.resizes?.disconnect();
-    this.viewControls?.dispose();
+    this.loading.abort();
+    this.watching?.near.disconnect();
+    this.watching?.resizes.disconnect();
+    this.watching?.controls.dispose();
     this.clear();
     this.painter?.release(this.onRestored);
-    this.near = this.resizes = this.viewControls = this.painter = this.loading = undefined;
+    this.watching = this.painter = undefined;
     this.isNear = false;
   }
 
@@ -377,18 +359,23 @@ export class HatchedModelElement extends Base {
   }
 }
 
-for (const [name, property] of Object.entries(PROPERTIES)) {
-  Object.defineProperty(HatchedModelElement.prototype, property, {
-    get(this: HTMLElement) {
-      return this.getAttribute(name) ?? '';
+// Each attribute has a property, in camel case.
+for (const name of ATTRIBUTES) {
+  Object.defineProperty(
+    HatchedModelElement.prototype,
+    name.replace(/-(.)/g, (_, letter) => letter.toUpperCase()),
+    {
+      get(this: HTMLElement) {
+        return this.getAttribute(name) ?? '';
+      },
+      set(this: HTMLElement, value: unknown) {
+        if (value === null || value === undefined || value === false) this.removeAttribute(name);
+        else this.setAttribute(name, value === true ? '' : String(value));
+      },
+      enumerable: true,
+      configurable: true,
     },
-    set(this: HTMLElement, value: unknown) {
-      if (value === null || value === undefined || value === false) this.removeAttribute(name);
-      else this.setAttribute(name, value === true ? '' : String(value));
-    },
-    enumerable: true,
-    configurable: true,
-  });
+  );
 }
 
 const resolve = (address: string): string => new URL(address, document.baseURI).href;

@@ -1,8 +1,172 @@
+import { MathUtils } from 'three';
 import { shownName } from '../../viewer/files/common/shownText.js';
-import type { CodeDrawing, CodeModel } from './CodeModel.js';
-import { drawingSample, importsOf } from './drawingSample.js';
-import { lightSample, lookSample } from './lookSample.js';
+import { GROUND } from '../../viewer/sceneSetup/Ground.js';
+import { LENS } from '../../viewer/sceneSetup/LensCamera.js';
+import { FULL_SHEET, LEAST_STROKE_SHARE } from '../../viewer/sceneSetup/strokeShare.js';
+import { codeLook, entries, lightSample, lookSample, round, when } from './lookSample.js';
+import { type CodeDrawing, type CodeModel, type ModelSource, modelSource } from './modelSource.js';
 import { IMPORT_MAP } from './versions.js';
+
+const THREE =
+  'AnimationMixer BoxGeometry BufferGeometry Color DirectionalLight DoubleSide Float32BufferAttribute Group MathUtils Mesh MeshStandardMaterial OrthographicCamera PerspectiveCamera PlaneGeometry PointLight Scene Sphere SpotLight Vector3 WebGLRenderer';
+const HATCHING = 'HatchingBackground TonalArtMap applyHatching bakeOcclusion presets scalePreset';
+
+/** The import declaration of what code uses of a package. */
+const imported = (code: string, names: string, from: string, more: readonly string[] = []): string => {
+  const used = names.split(' ').filter((name) => new RegExp(`\\b${name}\\b`).test(code));
+  return `import { ${[...new Set([...used, ...more])].sort().join(', ')} } from '${from}';`;
+};
+
+/** The import declarations of code that uses three.js and the library. */
+export const importsOf = (code: string, { classes = [], imports = [] }: Partial<ModelSource> = {}): string =>
+  [imported(code, THREE, 'three', classes), ...new Set(imports), imported(code, HATCHING, 'three-hatching')].join('\n');
+
+const PLAYING = `
+let before = performance.now();
+renderer.setAnimationLoop((now) => {
+  mixer.update((now - before) / 1000);
+  before = now;
+  draw();
+});`;
+
+const listed = (numbers: readonly number[]): string => numbers.map(round).join(', ');
+
+/** The camera, and how it shows as much in a picture of any proportion as on the page. */
+function cameraSample({ camera: { lens }, aspect: shown }: CodeDrawing): { made: string; sized: string } {
+  const { isOrthographic, high, aspect, up } = lens ?? {
+    ...{
+      isOrthographic: false,
+      high: Math.tan(MathUtils.degToRad(LENS.fieldOfView / 2)),
+      aspect: shown,
+      up: [0, 1, 0],
+    },
+  };
+  const [kind, frustum] = isOrthographic
+    ? ['OrthographicCamera', '-1, 1, 1, -1']
+    : ['PerspectiveCamera', `${LENS.fieldOfView}, 1`];
+  const turned = when(up.join() !== '0,1,0', `\ncamera.up.set(${listed(up)});`);
+  const [tall, wide] = [high, high * aspect].map((size) => Number(size.toPrecision(5)));
+  const set = isOrthographic
+    ? 'Object.assign(camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });'
+    : 'Object.assign(camera, { aspect, fov: MathUtils.radToDeg(2 * Math.atan(half)) });';
+  return {
+    made: `const camera = new ${kind}(${frustum}, ${LENS.near}, ${LENS.far});${turned}`,
+    sized: `  const aspect = width / height;
+  // A picture of any proportion shows all that the camera sees.
+  const half = ${wide > 0 ? `Math.max(${tall}, ${wide} / aspect)` : tall};
+  ${set}`,
+  };
+}
+
+/** An ES module that draws all that the page shows: model, paper, camera, lights, shadows, ground and outlines. */
+export function drawingSample(drawing: CodeDrawing): string {
+  const { settings, camera } = drawing;
+  const { made: cameraMade, sized } = cameraSample(drawing);
+  const { paper, lights } = codeLook(settings);
+  const made = modelSource(drawing.model);
+  const clip = made.hasClips ? drawing.model.clip : undefined;
+  const posing = `
+const mixer = new AnimationMixer(model);
+mixer.clipAction(animations[${clip?.index}]).play();
+mixer.setTime(${round(clip?.time ?? 0)});`;
+  const body = `const renderer = new WebGLRenderer({ canvas, antialias: true });
+renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+renderer.setClearColor('${paper}');
+// Strokes shrink on small sheets.
+const sheet = Math.min(canvas.clientWidth / ${FULL_SHEET.width}, canvas.clientHeight / ${FULL_SHEET.height});
+const share = MathUtils.clamp(sheet, ${LEAST_STROKE_SHARE}, 1);
+const scene = new Scene();
+${cameraMade}
+camera.position.set(${listed(camera.position)});
+const controls = new OrbitControls(camera, canvas);
+controls.target.set(${listed(camera.target)});
+controls.update();
+
+// The model, its centre in the middle of the scene, with a radius of 1.
+${made.code}
+${placed(drawing, made)}${when(clip, posing)}
+
+${lookSample(settings, 'root', { share: 'share', isOpen: drawing.model.isOpen })}
+${surroundings(drawing)}
+${lightSample(settings, 'root')}
+
+// A frame is drawn when something has changed.
+const draw = () => {${when(lights.isWithViewer, '\n  lights.quaternion.copy(camera.quaternion);')}
+  renderer.render(scene, camera);
+};
+controls.addEventListener('change', draw);
+new ResizeObserver(() => {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  if (width === 0 || height === 0) return;
+  renderer.setSize(width, height, false);
+${sized}
+  camera.updateProjectionMatrix();
+  draw();
+}).observe(canvas);${when(clip?.isPlaying, PLAYING)}`;
+  const orbit = "import { OrbitControls } from 'three/addons/controls/OrbitControls.js';";
+  return `${when(made.note, `// ${made.note?.replaceAll('<', '‹')}\n`)}${importsOf(body, { ...made, imports: [orbit, ...made.imports] })}
+${when(made.functions, `\n${made.functions}\n`)}
+/** Draws into a canvas, which keeps its size by itself. Rejects with an Error if the model cannot be loaded. */
+export async function drawHatching(canvas) {
+${body.replace(/^(?=.)/gm, '  ')}
+}
+`;
+}
+
+/** A number with as few digits as possible without moving anything by a pixel. */
+const exact = (value: number): number => Number(value.toPrecision(5));
+
+/** Code that puts `model` into `root`, its middle at the origin, with a radius of 1 and its up axis at the top. */
+function placed({ model: { place }, settings }: CodeDrawing, { hasGeometry }: ModelSource): string {
+  const { upright } = codeLook(settings);
+  // Strokes lie in the space of a geometry: as the page does, it is moved itself.
+  const fitted = hasGeometry
+    ? `geometry.center().computeBoundingSphere();
+const scale = 1 / geometry.boundingSphere.radius;
+geometry.scale(scale, scale, scale);`
+    : place
+      ? `const holder = new Group().add(model);
+holder.scale.setScalar(${exact(place.scale)});
+holder.position.set(${place.position.map(exact).join(', ')});`
+      : `const points = [];
+model.updateMatrixWorld(true);
+model.traverse((object) => {
+  const count = object.isMesh ? object.geometry.attributes.position.count : 0;
+  for (let i = 0; i < count; i++) points.push(object.localToWorld(object.getVertexPosition(i, new Vector3())));
+});
+const { center, radius } = new Sphere().setFromPoints(points);
+model.position.sub(center);
+const holder = new Group().add(model);
+holder.scale.setScalar(1 / radius);`;
+  return `${fitted}
+const root = new Group().add(${hasGeometry ? 'model' : 'holder'});
+root.rotation.set(${upright.map(round).join(', ')});
+scene.add(root);`;
+}
+
+/** Code of the ground and of the lines behind the model. */
+function surroundings({ settings, groundHeight }: CodeDrawing): string {
+  const { ground, groundShadow, background, material } = codeLook(settings);
+  const { size, parts } = GROUND;
+  const shadow = entries({ ...groundShadow, transparent: true, paperOpacity: 0, depthWrite: false });
+  const sheet = `const ground = new Mesh(new PlaneGeometry(${size}, ${size}, ${parts}, ${parts}).rotateX(-Math.PI / 2));
+ground.position.y = ${round(groundHeight)};
+ground.receiveShadow = true;
+scene.add(ground);
+const [{ tonalArtMap, extent }] = hatching.materials;
+const floor = await applyHatching(ground, {
+  preset: scalePreset(look, share),
+  outlines: false,
+  material: { color: '${settings.color}'${when(ground === 'shadow', `, ${shadow.join(', ')}`)}, tonalArtMap },
+  tilesPerWorldUnit: ${round(material.tilesPerUnit ?? 1)},
+});
+floor.materials[0].extent = extent;\n`;
+  const { spacing = 0, ...look } = background ?? {};
+  const field = `scene.add(new HatchingBackground(hatching.materials[0].extent, {
+  ${[...entries(look), `spacing: ${round(spacing)} * share`].join(',\n  ')},
+}));\n`;
+  return `${when(ground !== 'none', sheet)}${when(background, field)}`;
+}
 
 /** Code that draws what the page shows, and what it is for, in one sentence. */
 export interface CodeForm {

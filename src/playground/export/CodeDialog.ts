@@ -1,5 +1,5 @@
-import type { CodeDrawing } from '../code/CodeModel.js';
 import type { CodeForm } from '../code/codeForms.js';
+import type { CodeDrawing } from '../code/modelSource.js';
 import { findElement } from '../page/elements.js';
 import type { Session } from '../session/Session.js';
 import { copyText, download, fileStem } from './download.js';

@@ -11,7 +11,7 @@ import { type ModelChoice, NO_CHOICE } from '../../viewer/settings/ModelChoice.j
 import type { SavedView } from '../../viewer/settings/savedViews.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
-import type { CodeModel } from '../code/CodeModel.js';
+import type { CodeModel } from '../code/modelSource.js';
 import { BUILT_IN_MODELS } from '../models/models.js';
 import { setPageState } from '../page/elements.js';
 import { page } from '../page/page.js';

@@ -4,8 +4,8 @@ import * as three from 'three';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { mergeGeometries, mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
-import type { CodeDrawing, CodeModel } from '../../../../src/playground/code/CodeModel.js';
 import { codeForms } from '../../../../src/playground/code/codeForms.js';
+import type { CodeDrawing, CodeModel } from '../../../../src/playground/code/modelSource.js';
 import { modelSource } from '../../../../src/playground/code/modelSource.js';
 import { IMPORT_MAP } from '../../../../src/playground/code/versions.js';
 import * as forms from '../../../../src/playground/models/forms.js';
@@ -83,7 +83,7 @@ describe('copied code', () => {
   });
 
   test.each([
-    [false, 'new PerspectiveCamera(26, 1, 0.05, 100);', 'camera.fov = MathUtils.radToDeg(2 * Math.atan(half));'],
+    [false, 'new PerspectiveCamera(26, 1, 0.05, 100);', 'fov: MathUtils.radToDeg(2 * Math.atan(half)) });'],
     [true, 'new OrthographicCamera(-1, 1, 1, -1, 0.05, 100);', 'top: half, bottom: -half });'],
   ])('sees what a camera of a file sees; orthographic: %s', (isOrthographic, made, sized) => {
     const lens = { isOrthographic, high: 0.0123456, aspect: 2, up: [0.6, 0.8, 0] as [number, number, number] };
