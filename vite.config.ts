@@ -84,6 +84,7 @@ export default defineConfig(
           'libs/fflate.module.js',
           'utils/BufferGeometryUtils.js',
           'utils/SkeletonUtils.js',
+          'geometries/ParametricGeometry.js',
           'geometries/TeapotGeometry.js',
         ].map((path) => `three/addons/${path}`),
       ],

@@ -9,8 +9,8 @@ import { makeFox } from '../../src/playground/models/makeFox.js';
 import { makeRoom } from '../../src/playground/models/makeRoom.js';
 import { makeStairs } from '../../src/playground/models/makeStairs.js';
 import { makeStreet } from '../../src/playground/models/makeStreet.js';
-import { shellChair } from '../../src/playground/models/shellChair.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from '../../tools/figures/fourTriangles.js';
+import { shellChair } from '../../tools/pictures/shellChair.js';
 import type { ScenarioModel, SceneModel } from './scenarios.js';
 
 const scenes = { stairs: makeStairs, room: makeRoom, fox: makeFox, street: makeStreet };

@@ -2,12 +2,12 @@ import { Box3, BufferAttribute, BufferGeometry, DoubleSide, type Side, Vector3 }
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { prepareHatchingGeometry } from 'three-hatching';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../src/playground/models/models.js';
-import { shellChair } from '../../src/playground/models/shellChair.js';
 import { bakeMesh } from '../../src/viewer/drawing/bakeMesh.js';
 import type { BuiltInScene } from '../../src/viewer/drawing/buildModel.js';
 import { ModelError } from '../../src/viewer/files/common/ModelError.js';
 import type { PlainMesh } from '../../src/viewer/files/mesh/PlainMesh.js';
 import type { ReadModel } from '../../src/viewer/files/readModel.js';
+import { shellChair } from '../pictures/shellChair.js';
 import { FOUR_TRIANGLES, FOUR_TRIANGLES_POSITIONS } from './fourTriangles.js';
 import { memoize } from './memoize.js';
 

@@ -15,10 +15,10 @@ import { makeHouse } from '../../src/playground/models/makeHouse.js';
 import { bookshelf, makeRoom } from '../../src/playground/models/makeRoom.js';
 import { makeStairs } from '../../src/playground/models/makeStairs.js';
 import { makeStreet } from '../../src/playground/models/makeStreet.js';
-import { shellChair } from '../../src/playground/models/shellChair.js';
 import { sceneOf } from '../../src/playground/models/solids.js';
 import { makeCar } from './makeCar.js';
 import { makeTerrain } from './makeTerrain.js';
+import { shellChair } from './shellChair.js';
 
 /** A scene by which drawings of plain faces are judged. */
 export interface FlatScene {

@@ -1,7 +1,6 @@
 /** Models made by code. All stand on a plane of constant y, or float. */
 import {
-  BufferAttribute,
-  BufferGeometry,
+  type BufferGeometry,
   IcosahedronGeometry,
   LatheGeometry,
   MathUtils,
@@ -9,6 +8,7 @@ import {
   TorusKnotGeometry,
   Vector2,
 } from 'three';
+import { ParametricGeometry } from 'three/addons/geometries/ParametricGeometry.js';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { gearWheel } from './gearWheel.js';
@@ -19,20 +19,8 @@ const TURN = 2 * Math.PI;
 type Surface = (u: number, v: number) => [x: number, y: number, z: number];
 
 /** A grid of `columns` by `rows` quads on a surface. */
-function grid(columns: number, rows: number, surface: Surface): BufferGeometry {
-  const positions = new Float32Array(3 * (columns + 1) * (rows + 1));
-  const indices: number[] = [];
-  for (let row = 0; row <= rows; row++) {
-    for (let column = 0; column <= columns; column++) {
-      const vertex = row * (columns + 1) + column;
-      positions.set(surface(column / columns, row / rows), 3 * vertex);
-      if (row === rows || column === columns) continue;
-      const above = vertex + columns + 1;
-      indices.push(vertex, vertex + 1, above, above, vertex + 1, above + 1);
-    }
-  }
-  return new BufferGeometry().setAttribute('position', new BufferAttribute(positions, 3)).setIndex(indices);
-}
+const grid = (columns: number, rows: number, surface: Surface): BufferGeometry =>
+  new ParametricGeometry((u, v, place) => void place.set(...surface(u, v)), columns, rows);
 
 export const teapot = (): BufferGeometry => new TeapotGeometry(1, 12);
 

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { AnimationClip, BufferGeometry, Group } from 'three';
 import * as three from 'three';
+import { ParametricGeometry } from 'three/addons/geometries/ParametricGeometry.js';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { mergeGeometries, mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
@@ -29,7 +30,13 @@ function parse(text: string): void {
   new Function(`return async () => { ${text.replace(/^import .*$/gm, '').replace('export async', 'async')} }`);
 }
 
-const EVERYTHING: Record<string, unknown> = { ...three, TeapotGeometry, mergeGeometries, mergeVertices };
+const EVERYTHING: Record<string, unknown> = {
+  ...three,
+  ParametricGeometry,
+  TeapotGeometry,
+  mergeGeometries,
+  mergeVertices,
+};
 
 /** Runs the code that makes a model. @returns the value of `result` after it */
 function run(model: Pick<CodeModel, 'model' | 'title'>, result: string, imported: object = {}): unknown {
