@@ -1,5 +1,4 @@
-import { POINT_BITS, POINT_MASK } from '../../../mesh/bake/outlineLayout.js';
-import { IS_EDGE } from '../../../mesh/bake/outlineLayout.js';
+import { IS_EDGE, POINT_BITS, POINT_MASK } from '../../../mesh/bake/outlineLayout.js';
 import { identity } from '../base/maths.js';
 import { blankFloats, blankIntegers, blankPoses, hatchingTexture, hatchingUniform, texelOf } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

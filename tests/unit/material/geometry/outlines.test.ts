@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { type OutlineData, outlineDataOf } from '../../../../src/material/geometry/OutlineData.js';
 import type { PrepareHatchingGeometryOptions } from '../../../../src/material/geometry/PrepareHatchingGeometryOptions.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
-import { POINT_MASK, BORDER, CREASE, MATERIAL_BORDER } from '../../../../src/mesh/bake/outlineLayout.js';
+import { BORDER, CREASE, MATERIAL_BORDER, POINT_MASK } from '../../../../src/mesh/bake/outlineLayout.js';
 import { reactive } from './reactive.js';
 
 const prepare = (geometry: BufferGeometry, options: PrepareHatchingGeometryOptions = { outlines: true }) =>

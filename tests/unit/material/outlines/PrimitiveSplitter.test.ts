@@ -3,7 +3,14 @@ import { expect, test } from 'vitest';
 import { type OutlineData, outlineDataOf } from '../../../../src/material/geometry/OutlineData.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
 import { NO_PART, splitterOf } from '../../../../src/material/outlines/PrimitiveSplitter.js';
-import { POINT_BITS, PRIMITIVE_WORDS, BORDER, CREASE, IS_EDGE, MATERIAL_BORDER } from '../../../../src/mesh/bake/outlineLayout.js';
+import {
+  BORDER,
+  CREASE,
+  IS_EDGE,
+  MATERIAL_BORDER,
+  POINT_BITS,
+  PRIMITIVE_WORDS,
+} from '../../../../src/mesh/bake/outlineLayout.js';
 
 const outlinesOf = async (geometry: BufferGeometry): Promise<OutlineData> =>
   outlineDataOf(await prepareHatchingGeometry(geometry, { outlines: true, layout: 'indexed' }))!;
