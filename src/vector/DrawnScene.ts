@@ -1,13 +1,11 @@
-import type { DotSet } from './dots/placeDots.js';
 import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { OutlineLook, OutlineMesh } from './outlines/OutlineMesh.js';
 import type { CameraMatrices } from './Projection.js';
-import type { Clip } from './paint/Clip.js';
 import type { Veil } from './paint/Fading.js';
-import type { Cutout, PaintLook } from './paint/PaintLook.js';
+import type { Clip, Cutout, PaintLook } from './paint/PaintLook.js';
 import type { Field } from './shading/fieldAxis.js';
-import type { DotLayers, DotSize } from './shading/stipple.js';
+import type { DotLayers, DotSet, DotSize } from './shading/stipple.js';
 import type { Illumination, SurfaceLook } from './Toner.js';
 
 /** The lines of a surface in the shadows of some lights, where lines turn. */

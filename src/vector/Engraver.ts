@@ -8,6 +8,7 @@ import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } fro
 import type { CutField, Field } from './shading/fieldAxis.js';
 import { handTone } from './shading/hand.js';
 import {
+  COARSEST_OCTAVES,
   type CutFamilies,
   type CutReading,
   cutFamilies,
@@ -15,8 +16,8 @@ import {
   familyValue,
   type Lean,
   readCut,
-} from './shading/readCut.js';
-import { COARSEST_OCTAVES, readForm } from './shading/readForm.js';
+  readForm,
+} from './shading/lineFunctions.js';
 import { type LineSpacing, octaveOf, powerOf2, riseOf, spacedBy } from './shading/ruledLines.js';
 import {
   changePerPixel,

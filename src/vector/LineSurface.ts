@@ -1,7 +1,6 @@
 import { combined, cross, normalize, type Vec3 } from '../look/vectors.js';
-import type { Paint } from './paint/ColourReader.js';
-import type { PosedMaps, SurfaceDetails } from './paint/PaintLook.js';
-import type { FormAt } from './shading/readForm.js';
+import type { Paint, PosedMaps, SurfaceDetails } from './paint/PaintLook.js';
+import type { FormAt } from './shading/lineFunctions.js';
 import type { Mat3 } from './shading/screenGradient.js';
 
 /** Offsets of the numbers of a vertex within its `STRIDE`. */

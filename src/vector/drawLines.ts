@@ -1,13 +1,13 @@
 import { asPhase } from '../mesh/phases.js';
+import type { Task } from '../worker/TaskSet.js';
 import { Bvh } from './Bvh.js';
 import type { DrawingPlan, DrawnScene } from './DrawnScene.js';
-import { drawDots } from './dots/drawDots.js';
-import { finishDots } from './dots/finishDots.js';
-import { finishPaths, type PathCounts } from './file/finishPaths.js';
-import { type SVGLayer, writeSVG } from './file/writeSVG.js';
+import { drawDots } from './drawDots.js';
 import { LAYERS, LineDrawer } from './LineDrawer.js';
 import { Projection } from './Projection.js';
-import type { Placement } from './paths/pathData.js';
+import { finishDots } from './paths/finishDots.js';
+import { finishPaths, type PathCounts, type Placement } from './paths/finishPaths.js';
+import { type SVGLayer, writeSVG } from './paths/writeSVG.js';
 
 /** The phases of a drawing, in order. */
 const PHASES = ['building', 'outlines', 'surfaces', 'backgrounds', 'dots', 'finishing'] as const;
@@ -97,3 +97,11 @@ function placePicture({ camera }: DrawnScene, plan: DrawingPlan): { projection: 
     placement: { scale, left: (plan.width - width) / 2, top: (plan.height - height) / 2 },
   };
 }
+
+const drawing: Task<{ scene: DrawnScene; plan: DrawingPlan }, LineDrawing> = {
+  run: ({ scene, plan }) => drawLines(scene, plan),
+  resultBuffers: () => [],
+};
+
+/** The tasks of the worker that draws lines. */
+export const lineTasks = { drawLines: drawing };

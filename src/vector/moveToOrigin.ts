@@ -2,7 +2,7 @@ import { dot, type Vec3 } from '../look/vectors.js';
 import type { DrawnScene } from './DrawnScene.js';
 import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
 import type { Matrix } from './Projection.js';
-import type { Clip, ClipPlane } from './paint/Clip.js';
+import type { Clip, ClipPlane } from './paint/PaintLook.js';
 import type { ObjectFading } from './shading/fading.js';
 
 /** Distance from the origin, in sizes of the scene, from which on a scene is moved. */

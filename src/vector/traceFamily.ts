@@ -3,15 +3,13 @@ import { asPhase } from '../mesh/phases.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 import type { EngravedPlace, FamilyName } from './Engraver.js';
 import { between, type LineSurface, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
-import { type LevelSegments, levelSegments } from './levelSegments.js';
+import { type LevelSegments, levelSegments, type Walk, walkSegments } from './levelSegments.js';
 import { type Line, plottedMark, printedMark } from './lineMarks.js';
 import type { Projection } from './Projection.js';
 import { penAside } from './penAside.js';
-import type { Tracing } from './readVertices.js';
-import { type FamilyVertices, ranksOfTriangles } from './readVertices.js';
+import { type FamilyVertices, ranksOfTriangles, type Tracing } from './readVertices.js';
 import { hash01 } from './shading/hand.js';
 import type { Shadowing, Tones, VertexTones } from './Toner.js';
-import { type Walk, walkSegments } from './walkSegments.js';
 
 /** The rank of the line through the origin, a multiple of all powers of two. */
 const EVERY_RANK = 1000;

@@ -1,10 +1,10 @@
 import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/phases.js';
 import { type Chain, ChainBuilder } from '../Chain.js';
-import { fadedPlace, type Projection, transformed } from '../Projection.js';
+import { type Projection, transformed, fadedPlace } from '../Projection.js';
 import { outlineFadingAt } from '../shading/fading.js';
-import { meanLightAt } from '../shading/meanLight.js';
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js';
+import { meanLightAt } from '../shading/radiance.js';
 import type { Illumination } from '../Toner.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 

@@ -1,8 +1,7 @@
 import { hiddenWeight } from '../../look/hiddenOutlines.js';
 import { combined, cross, dot, mix, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/phases.js';
-import { contourAlong, depthAcross, looksAway, taperAt } from '../shading/outlines.js';
-import { suggestiveShare } from '../shading/suggestiveContour.js';
+import { contourAlong, depthAcross, looksAway, suggestiveShare, taperAt } from '../shading/outlines.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 
 /**

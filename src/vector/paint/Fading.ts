@@ -3,7 +3,7 @@ import type { Bvh } from '../Bvh.js';
 import { type LineSurface, placeFrom, readTriangle, STRIDE, WORLD } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
 import type { Toner } from '../Toner.js';
-import { PlaceInTriangle } from './PlaceInTriangle.js';
+import { PlaceInTriangle } from './DetailReader.js';
 
 /** A range of triangles of the scene that belong to a see-through surface. */
 export interface Veil {

@@ -1,7 +1,6 @@
 import type { Vec3 } from '../../look/vectors.js';
-import { isClipped } from './Clip.js';
 import { ColourReader } from './ColourReader.js';
-import type { Cutout } from './PaintLook.js';
+import { type Cutout, isClipped } from './PaintLook.js';
 
 /** Tests for holes in triangles of a scene, by alpha or clipping planes. */
 export class Holes {

@@ -1,6 +1,5 @@
 import type { Vec3 } from '../../look/vectors.js';
 import type { Mat3 } from '../shading/screenGradient.js';
-import type { Clip } from './Clip.js';
 
 /** The pixels of a texture. */
 export interface ToneImage {
@@ -87,4 +86,35 @@ export interface SurfaceDetails {
 export interface PosedMaps {
   smooth: Mat3;
   flat: Mat3;
+}
+
+/** A clipping plane, which cuts where n·p + d is below 0. World space. */
+export type ClipPlane = readonly [x: number, y: number, z: number, d: number];
+
+/** The clipping planes of a surface. */
+export interface Clip {
+  /** Each of these planes cuts what lies beyond it. */
+  each: readonly ClipPlane[];
+  /** These planes cut only what lies beyond all of them. */
+  together: readonly ClipPlane[];
+}
+
+const isBeyond = ([x, y, z, d]: ClipPlane, place: Vec3): boolean => x * place[0] + y * place[1] + z * place[2] + d < 0;
+
+/** Whether a place is clipped. */
+export const isClipped = ({ each, together }: Clip, place: Vec3): boolean =>
+  each.some((plane) => isBeyond(plane, place)) ||
+  (together.length > 0 && together.every((plane) => isBeyond(plane, place)));
+
+/** The effect of textures and colours at a place. */
+export interface Paint {
+  /** The share to which the colour brings the tone to that of no light. */
+  darkness: number;
+  /** Emitted luminance. */
+  emitted: number;
+  /** Ambient light added by a light map, and the share of it that an occlusion map leaves. */
+  around: number;
+  open: number;
+  /** Alpha minus its threshold: above 0 where the surface is not cut out; 1 if nothing is. */
+  standing: number;
 }

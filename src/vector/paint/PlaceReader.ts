@@ -1,8 +1,8 @@
 import { type LineSurface, placeFrom, placeOfVertex, readTriangle, type SurfacePlace } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
-import { ColourReader, type Paint } from './ColourReader.js';
+import { ColourReader } from './ColourReader.js';
 import { DetailReader } from './DetailReader.js';
-import type { PaintLook } from './PaintLook.js';
+import type { Paint, PaintLook } from './PaintLook.js';
 
 /** Footprint over which textures are averaged, so that lines do not crumble. Pixels of the picture. */
 const FOOTPRINT = 2;

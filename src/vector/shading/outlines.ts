@@ -1,6 +1,7 @@
-/** Contours and feature edges, as in shaders/outlines. */
-import { OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
+import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import { clamp01, combined, cross, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from '../../look/vectors.js';
+
+/** Contours and feature edges, as in shaders/outlines. */
 
 const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, LIFT_SHARE, MOST_RISE, EDGE_SLOPE } =
   OUTLINE_CONSTANTS;
@@ -115,4 +116,83 @@ export function depthAcross(corners: readonly [Vec3, Vec3, Vec3], start: Vec3, e
   const sideways = combined(1, v, -dot(v, along), along);
   const depths = corners.map((corner) => dot(combined(1, corner, -1, corners[0]), sideways));
   return lengthOf(sideways) === 0 ? 0 : Math.max(...depths) - Math.min(...depths);
+}
+
+/** The line weight of an outline, as in shaders/outlines/hierarchy.glsl: the share of paper in what lies behind it, and of an accent. */
+
+const { ACCENT_REACH, LEAST_JUMP, FULL_JUMP } = OUTLINE_CONSTANTS;
+
+/** Distance between steps, in the unit of the width. */
+export const strideOf = (outlineWidth: number): number => (ACCENT_REACH * outlineWidth) / ACCENT_STEPS;
+
+export interface LineWeight {
+  /** The share of paper in what lies behind. */
+  paper: number;
+  /** 1 where another outline begins, 0 where none is near. */
+  accent: number;
+}
+
+/**
+ * The line weight at a place. Along the outline it changes gradually with what lies behind it, and an accent grows towards such a
+ * change.
+ *
+ * @param here distance from the outline back to the surface beside it, in heights of the view, up to 1
+ * @param gapAt the same distance at a step along the outline, in either direction; undefined beyond the picture
+ */
+export function lineWeightAt(here: number, gapAt: (step: number) => number | undefined): LineWeight {
+  let paper = paperness(here);
+  let sum = 1;
+  let accent = 0;
+  for (const side of [-1, 1]) {
+    let last = here;
+    for (let i = 1; i <= ACCENT_STEPS; i++) {
+      const gap = gapAt(side * i);
+      if (gap === undefined || Math.min(gap, last) < LEAST_JUMP) break;
+      const nearness = 1 - (i - 0.5) / ACCENT_STEPS;
+      accent = Math.max(accent, nearness * smoothstep(LEAST_JUMP, FULL_JUMP, Math.abs(gap - last)));
+      paper += nearness * paperness(gap);
+      sum += nearness;
+      last = gap;
+    }
+  }
+  return { paper: paper / sum, accent };
+}
+
+/** Suggestive contours, where a contour would appear if the eye moved a little, as in shaders/outlines/suggestiveContour.glsl. */
+
+const { LEAST_GROWTH, FULL_GROWTH, LEAST_LEAN, FULL_LEAN } = OUTLINE_CONSTANTS;
+
+/** A corner of a triangle. */
+export interface BentCorner {
+  position: Vec3;
+  /** Unit. */
+  normal: Vec3;
+  /** Curvature along the line of sight, times the radius. */
+  bend: number;
+}
+
+/**
+ * The share of its weight that the outline on a triangle has, from 0 to 1.
+ *
+ * @param toEye from the middle of the triangle, of any length
+ * @param radius of the bounding sphere, in the unit of the positions
+ */
+export function suggestiveShare(
+  corners: readonly [BentCorner, BentCorner, BentCorner],
+  toEye: Vec3,
+  radius: number,
+): number {
+  const [a, b, c] = corners;
+  const ab = combined(1, b.position, -1, a.position);
+  const ac = combined(1, c.position, -1, a.position);
+  const n = cross(ab, ac);
+  // The gradient of the curvature, which is linear over the triangle.
+  const rising = cross(n, combined(c.bend - a.bend, ab, -(b.bend - a.bend), ac));
+  const gradient = combined(1 / Math.max(dot(n, n), 1e-30), rising, 0, rising);
+  const normal = normalize(combined(1, combined(1, a.normal, 1, b.normal), 1, c.normal));
+  const v = normalize(toEye);
+  const w = combined(1, v, -dot(normal, v), normal);
+  const lean = lengthOf(w);
+  const growth = (radius * dot(gradient, w)) / Math.max(lean, 1e-6);
+  return smoothstep(LEAST_GROWTH, FULL_GROWTH, growth * smoothstep(LEAST_LEAN, FULL_LEAN, lean));
 }

@@ -1,6 +1,8 @@
-/** The light of lamps that arrives at a surface, as in radiance.glsl and three.js' chunks. World space. */
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
-import { cross, dot, lengthOf, type Vec3 } from '../../look/vectors.js';
+import type { Sky } from '../../look/surroundings.js';
+import { combined, cross, dot, lengthOf, type Vec3 } from '../../look/vectors.js';
+
+/** The light of lamps that arrives at a surface, as in radiance.glsl and three.js' chunks. World space. */
 
 /** A light with a direction. */
 export interface Lamp {
@@ -80,4 +82,15 @@ export function reflectedTo(normal: Vec3, direction: Vec3, isPlane: boolean): nu
   const side = cross(direction, SIDE_AXIS);
   const facing = Math.max(dot(normal, side), 0) / Math.max(lengthOf(side), 1e-20);
   return behind + BESIDE_LIGHT * Math.max(behind - BESIDE_FROM, 0) * facing;
+}
+
+/** The direction from which light comes at a place in the world, for the shading of outlines: the mean of all lights, of any length. */
+export function meanLightAt(place: Vec3, lamps: readonly Lamp[], skies: readonly Sky[]): Vec3 {
+  let sum: Vec3 = [0, 0, 0];
+  for (const lamp of lamps) {
+    const { direction, luminance } = arriving(lamp, place);
+    sum = combined(1, sum, luminance, direction);
+  }
+  for (const { up, difference } of skies) sum = combined(1, sum, difference, up);
+  return sum;
 }

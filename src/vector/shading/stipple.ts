@@ -10,6 +10,16 @@ const { LEAST_PULL, PLANE_FADE, LEAST_SHARE, LEAST_ROUND, CLOSING, SET_SHIFT } =
 const { DOTS_PER_TILE, DOT_SHARE, CROWDING, LEAST_DENSE_SHARE } = STIPPLE_CONSTANTS;
 const { DOT_GROWTH, OVERLAP, OVERLAP_WITHIN, LEAST_BLANK } = STIPPLE_CONSTANTS;
 
+/**
+ * The point set of dots. Each cell has four numbers: the position of its point within it, 255 for 1, and the part of an octave at which it
+ * appears.
+ */
+export interface DotSet {
+  /** Cells per side, after which the set repeats. */
+  cells: number;
+  texels: Uint8Array;
+}
+
 /** A plane of dots at a place. */
 export interface DotPlane {
   /** Unit normal, and two axes in the plane. Object space. */

@@ -17,7 +17,7 @@ import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { isSharp, readImage } from '../../material/readImage.js';
 import type { MapLook, PaintLook, ToneImage, Wrapping } from '../paint/PaintLook.js';
 import type { Mat3 } from '../shading/screenGradient.js';
-import type { MeshCopy } from './pose/meshCopies.js';
+import type { MeshCopy } from './meshCopies.js';
 import { rowsOf } from './surfaceFrame.js';
 
 /** The properties of colours and textures of a material; materials that are not hatched have only some of them. */

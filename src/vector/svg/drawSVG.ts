@@ -3,14 +3,14 @@ import { runSliced } from '../../mesh/phases.js';
 import { runTaskOf } from '../../worker/runTask.js';
 import type { TaskSet } from '../../worker/TaskSet.js';
 import type { DrawnScene } from '../DrawnScene.js';
+import type { lineTasks } from '../drawLines.js';
 import { type DrawSVGOptions, planOf } from './DrawSVGOptions.js';
 import type { LeftOut } from './leftOut.js';
-import type { lineTasks } from './lineTasks.js';
 import { readScene } from './readScene.js';
 
 /** The task of drawing lines, for `runTaskOf`. */
 const lineDrawing: TaskSet<typeof lineTasks> = {
-  fetchTasks: async () => (await import('./lineTasks.js')).lineTasks,
+  fetchTasks: async () => (await import('../drawLines.js')).lineTasks,
   requestBuffers: { drawLines: ({ scene }) => buffersOf(scene) },
   fetchWorker: async () => (await import('./inlineSvgWorker.js')).createInlineSvgWorker,
 };

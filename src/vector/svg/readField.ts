@@ -5,9 +5,8 @@ import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import type { TurnedLines } from '../DrawnScene.js';
 import type { EngravedLook } from '../Engraver.js';
 import { FIELD_NORMAL, type LineSurface, STRIDE } from '../LineSurface.js';
-import { across, type Field, firstField } from '../shading/fieldAxis.js';
+import { across, type Field, type FieldLamp, fieldLight, firstField } from '../shading/fieldAxis.js';
 import { awayField } from '../shading/groundShadow.js';
-import { type FieldLamp, fieldLight } from '../shading/lightField.js';
 import type { Lamp } from '../shading/radiance.js';
 import type { SurfaceFrame } from './surfaceFrame.js';
 

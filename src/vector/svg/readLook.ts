@@ -1,16 +1,32 @@
-import type { IUniform, Mesh, Vector2 } from 'three';
+import {
+  type Camera,
+  type IUniform,
+  type Material,
+  type Mesh,
+  type Object3D,
+  type Vector2,
+  Vector3,
+  Vector4,
+} from 'three';
 import { luminanceOf } from '../../look/luminance.js';
 import { resolveLook } from '../../look/resolveLook.js';
 import { isFitted } from '../../material/exposure/isFitted.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
+import { type FadingLook, importanceOf, takesWeight, writeDepthFading } from '../../material/fading/fading.js';
+import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
 import { fittedCurve } from '../../material/fitToneCurve.js';
+import type { HatchingBackground } from '../../material/HatchingBackground.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../../material/hatchingUniforms.js';
+import { writeSheet } from '../../material/pictureOffset.js';
+import type { DrawnBackground } from '../DrawnScene.js';
 import type { EngravedLook } from '../Engraver.js';
 import type { ObjectFading } from '../shading/fading.js';
 import type { GroundLook } from '../shading/groundShadow.js';
+import { meanLightAt } from '../shading/radiance.js';
 import { type CurveCubics, localDarkness } from '../shading/tone.js';
 import type { SurfaceLook } from '../Toner.js';
+import type { SceneLights } from './readLights.js';
 import { opacityOf } from './seenThrough.js';
 
 /** The uniforms of a material. Sizes are in CSS pixels. */
@@ -90,4 +106,61 @@ const groundOf = ({ shadowTone, shadowFade, shadowSoftness }: HatchingMaterial):
 function curveOf(curve: HatchingMaterial['toneCurve']): 'perceptual' | CurveCubics | null {
   if (curve === 'perceptual') return curve;
   return fittedCurve(curve) ?? null;
+}
+
+/** The fading of an object; null where everything has its full weight. */
+export function readFading(object: Object3D, look: FadingLook | null, camera: Camera): ObjectFading | null {
+  if (!takesWeight(look)) return null;
+  const { focus, focusRadius, vignette } = look;
+  const depthFading = new Vector3();
+  const isMeasured = look.depthFade !== 0 && look.extent !== null;
+  writeDepthFading(look, isMeasured ? seenOf(look.extent, camera) : null, camera, depthFading);
+  const importance = importanceOf(object);
+  if (depthFading.z === 0 && focus === null && vignette === 0 && importance === 1) return null;
+  const sheet = new Vector4();
+  // The picture is one wide and one high.
+  writeSheet(sheet, camera, new Vector4(0, 0, 1, 1));
+  return {
+    depthFading: [depthFading.x, depthFading.y, depthFading.z],
+    focus: focus && { at: [focus.x, focus.y, focus.z], radius: focusRadius },
+    vignette,
+    sheet: [sheet.x, sheet.y, sheet.z, sheet.w],
+    importance,
+  };
+}
+
+/** The fading of the outlines of a mesh, which is that of its first hatching material. */
+export function readOutlineFading(mesh: Mesh, camera: Camera): ObjectFading | null {
+  const materials: Material[] = Array.isArray(mesh.material) ? mesh.material : [mesh.material];
+  const found = materials.find((material) => 'isHatchingMaterial' in material);
+  return readFading(mesh, (found ?? null) as (Material & FadingLook) | null, camera);
+}
+
+function seenOf({ box, frame }: NonNullable<FadingLook['extent']>, camera: Camera): SeenBox | null {
+  const seen: SeenBox = { front: 0, back: 1, left: -1, right: 1, bottom: -1, top: 1 };
+  return seenBox(box, frame.matrixWorld, camera, seen) ? seen : null;
+}
+
+/** Reads the field of lines behind a subject; undefined if the subject is not visible. */
+export function readBackground(
+  background: HatchingBackground,
+  camera: Camera,
+  { lamps, around }: SceneLights,
+): DrawnBackground | undefined {
+  const { subject, tone, contrast, spacing, direction, extent, ink } = background;
+  const seen: SeenBox = { front: 0, back: 1, left: -1, right: 1, bottom: -1, top: 1 };
+  if (!subject || !seenBox(subject.box, subject.frame.matrixWorld, camera, seen)) return undefined;
+  const centre = subject.box.getCenter(new Vector3()).applyMatrix4(subject.frame.matrixWorld);
+  const light = new Vector3(...meanLightAt(centre.toArray(), lamps, around.skies));
+  light.transformDirection(camera.matrixWorldInverse);
+  const sheet = new Vector4();
+  // The picture is one wide and one high.
+  writeSheet(sheet, camera, new Vector4(0, 0, 1, 1));
+  return {
+    ...{ tone, contrast, spacing, angle: direction, extent },
+    seen: { left: seen.left, right: seen.right, bottom: seen.bottom, top: seen.top },
+    lit: [light.x, light.y],
+    sheet: [sheet.x, sheet.y, sheet.z, sheet.w],
+    ink: `#${ink.getHexString()}`,
+  };
 }

@@ -1,5 +1,5 @@
-import { type BufferAttribute, type BufferGeometry, Matrix3, type Matrix4, Vector3 } from 'three';
-import type { Vec3 } from '../../look/vectors.js';
+import { type BufferAttribute, type BufferGeometry, Matrix3, type Matrix4, type Mesh, Vector3 } from 'three';
+import { combined, cross, normalize, type Vec3 } from '../../look/vectors.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { STIPPLE_MAP_SIZE } from '../../material/tam/patternSizes.js';
 import { stippleMap } from '../../material/tam/stippleMap.js';
@@ -18,10 +18,12 @@ import {
   VIEW,
   WORLD,
 } from '../LineSurface.js';
-import { formVarying } from '../shading/readForm.js';
+import type { SurfaceDetails } from '../paint/PaintLook.js';
+import { formVarying } from '../shading/lineFunctions.js';
+import type { MeshCopy } from './meshCopies.js';
+import { coordinatesOf, type Painted, type PaintNeeds, writeColor } from './PaintReader.js';
 import { bothPlaces, placesOf } from './placesOf.js';
-import type { PosedVertices } from './pose/posedVertices.js';
-import { type DetailSource, readDetails, type TriangleRange } from './readDetails.js';
+import type { PosedVertices } from './posedVertices.js';
 import { objectFrame, rowsOf, type SurfaceFrame } from './surfaceFrame.js';
 
 /** Vertices per step. */
@@ -161,4 +163,117 @@ export function* readStippled(
     layers: { shift: anchorSpacing / tilesPerUnit, crossFrom: strokeLayers === 'tone' ? crossFrom : null },
     set: { cells: STIPPLE_MAP_SIZE, texels: (stippleMap().image.data as Uint8Array).slice() },
   };
+}
+
+/** Corners per step, of whole triangles. */
+const FLAT_CHUNK = 3 * 1024;
+
+/** A surface with flat shading: each triangle gets vertices of its own with its normal. Yields meanwhile. */
+export function* flattened(surface: LineSurface): Generator<number, LineSurface, void> {
+  const { vertices, triangles, placeOf, details } = surface;
+  const flat: LineSurface = {
+    ...surface,
+    vertices: new Float64Array(STRIDE * triangles.length),
+    placeOf: triangles.map((vertex) => placeOf[vertex]),
+    triangles: triangles.map((_, corner) => corner),
+  };
+  for (const [corner, vertex] of triangles.entries()) {
+    if (corner % FLAT_CHUNK === 0) yield 1;
+    flat.vertices.set(vertices.subarray(STRIDE * vertex, STRIDE * (vertex + 1)), STRIDE * corner);
+  }
+  const placeAt = (corner: number): Vec3 => {
+    const o = STRIDE * corner + WORLD;
+    return [flat.vertices[o], flat.vertices[o + 1], flat.vertices[o + 2]];
+  };
+  for (let corner = 0; corner < triangles.length; corner += 3) {
+    if (corner % FLAT_CHUNK === 0) yield 1;
+    const [a, b, c] = [placeAt(corner), placeAt(corner + 1), placeAt(corner + 2)];
+    const normal = normalize(cross(combined(1, b, -1, a), combined(1, c, -1, a)));
+    for (let k = 0; k < 3; k++)
+      for (let axis = 0; axis < 3; axis++) flat.vertices[STRIDE * (corner + k) + TONE_NORMAL + axis] = normal[axis];
+  }
+  if (!details) return flat;
+  const { stride } = details;
+  const numbers = new Float64Array(stride * triangles.length);
+  for (const [corner, vertex] of triangles.entries()) {
+    if (corner % FLAT_CHUNK === 0) yield 1;
+    for (let i = 0; i < stride; i++) numbers[stride * corner + i] = details.numbers[stride * vertex + i];
+  }
+  return { ...flat, details: { ...details, corners: flat.triangles, numbers } };
+}
+
+/** A range of triangles of a mesh with one material. */
+export interface TriangleRange {
+  /** Vertices of corners. */
+  corners: Uint32Array;
+  /** Index of the first of them among the triangles of the scene. */
+  firstTriangle: number;
+}
+
+/** The source of the details of a part of a mesh. */
+export interface DetailSource {
+  mesh: Mesh;
+  copy: MeshCopy;
+  posed: PosedVertices;
+  material: Painted;
+  /** Null if the part has one colour everywhere. */
+  paint: PaintNeeds | null;
+}
+
+/** Offset of the coordinates of the first channel in the details of a surface. */
+export const firstCoordinate = ({ posed }: DetailSource, frame: SurfaceFrame | null): number =>
+  hasMaps(posed, frame) ? 9 : 0;
+
+/** Whether lines are fixed to a surface at rest that is drawn in a pose. */
+const hasMaps = ({ toRest }: PosedVertices, frame: SurfaceFrame | null): frame is SurfaceFrame =>
+  toRest !== null && frame !== null && !frame.isCutAsPosed;
+
+/**
+ * Reads the details of a part of a mesh; null for none.
+ *
+ * @param frame of its lines; null where it has none
+ */
+export function readDetails(
+  source: DetailSource,
+  { corners, firstTriangle }: TriangleRange,
+  frame: SurfaceFrame | null,
+): SurfaceDetails | null {
+  const { posed, paint } = source;
+  const first = firstCoordinate(source, frame);
+  const stride = first + 2 * (paint?.channels.length ?? 0) + (paint?.hasColors ? 4 : 0);
+  if (stride === 0) return null;
+  const numbers = new Float64Array((stride * posed.positions.length) / 3);
+  if (first > 0) writeMaps(posed.toRest!, frame!, numbers, stride);
+  if (paint) writePaint(source, paint, numbers, stride, first);
+  return { firstTriangle, corners, stride, numbers, viewToField: first > 0 ? 0 : null };
+}
+
+function writeMaps(toRest: Float64Array, frame: SurfaceFrame, numbers: Float64Array, stride: number): void {
+  const viewToObject = new Matrix3().setFromMatrix4(frame.toView).invert();
+  const map = new Matrix3();
+  for (let v = 0; 9 * v < toRest.length; v++) {
+    map
+      .fromArray(toRest, 9 * v)
+      .premultiply(frame.toField)
+      .multiply(viewToObject);
+    map.transpose().toArray(numbers as unknown as number[], stride * v);
+  }
+}
+
+function writePaint(
+  { mesh, copy, material }: DetailSource,
+  { channels, hasColors }: PaintNeeds,
+  numbers: Float64Array,
+  stride: number,
+  first: number,
+): void {
+  const coordinates = channels.map((channel) => mesh.geometry.attributes[coordinatesOf(channel)]);
+  for (let v = 0; stride * v < numbers.length; v++) {
+    const o = stride * v + first;
+    for (const [i, uv] of coordinates.entries()) {
+      numbers[o + 2 * i] = uv.getX(v);
+      numbers[o + 2 * i + 1] = uv.getY(v);
+    }
+    if (hasColors) writeColor(mesh, material, copy, v, numbers, o + 2 * channels.length);
+  }
 }

@@ -1,5 +1,6 @@
-import type { BufferAttribute, BufferGeometry, Material } from 'three';
+import type { BufferAttribute, BufferGeometry, Material, Plane } from 'three';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
+import type { Clip, ClipPlane } from '../paint/PaintLook.js';
 
 /** Opacities that differ by less count as equal. */
 const SAME = 0.005;
@@ -51,3 +52,19 @@ export function leftBehind(material: Material, geometry: BufferGeometry): number
   const paper = 'isHatchingMaterial' in material ? (material as HatchingMaterial).paperOpacity : 1;
   return 1 - opacityOf(material, geometry) * paper;
 }
+
+/** The planes that clip everything, with those of a material; null for none. */
+export function clipOf(
+  { clippingPlanes, clipIntersection }: Pick<Material, 'clippingPlanes' | 'clipIntersection'>,
+  everywhere: readonly Plane[],
+): Clip | null {
+  const own = clippingPlanes ?? [];
+  if (own.length + everywhere.length === 0) return null;
+  const each = clipIntersection ? everywhere : [...everywhere, ...own];
+  return { each: each.map(numbersOf), together: clipIntersection ? own.map(numbersOf) : [] };
+}
+
+/** The clipping planes of a material's shadow: planes that clip everything do not clip shadows. */
+export const shadowClipOf = (material: Material): Clip | null => (material.clipShadows ? clipOf(material, []) : null);
+
+const numbersOf = ({ normal: { x, y, z }, constant }: Plane): ClipPlane => [x, y, z, constant];

@@ -3,7 +3,7 @@ import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { writeFieldFrame } from '../../material/parts/fieldFrame.js';
 import type { EngravedLook } from '../Engraver.js';
 import type { Mat3 } from '../shading/screenGradient.js';
-import { firstBoneOf } from './pose/posedVertices.js';
+import { firstBoneOf } from './posedVertices.js';
 
 /** Matrices between a mesh, the world, the view and the space of fields. */
 export interface SurfaceFrame {

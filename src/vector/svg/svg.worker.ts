@@ -1,4 +1,4 @@
 import { serveTasks } from '../../worker/serveTasks.js';
-import { lineTasks } from './lineTasks.js';
+import { lineTasks } from '../drawLines.js';
 
 serveTasks(lineTasks);

@@ -76,7 +76,7 @@ export const outlines: readonly Mutation[] = [
   },
   {
     name: 'accents are as strong far away',
-    file: 'src/vector/shading/lineWeight.ts',
+    file: 'src/vector/shading/outlines.ts',
     find: 'Math.max(accent, nearness * smoothstep',
     replace: 'Math.max(accent, smoothstep',
     caughtBy: {

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const svg: readonly Mutation[] = [
   {
     name: 'numbers of a path lose their minus sign',
-    file: 'src/vector/paths/pathData.ts',
+    file: 'src/vector/paths/finishPaths.ts',
     find: "/^(-?)0\\./, '$1.'",
     replace: "/^(-?)0\\./, '.'",
     caughtBy: {
@@ -14,7 +14,7 @@ export const svg: readonly Mutation[] = [
   },
   {
     name: 'a path is simplified without its widths',
-    file: 'src/vector/paths/simplify.ts',
+    file: 'src/vector/paths/LinePath.ts',
     find: 'for (const side of [2, 3])',
     replace: 'for (const side of [] as number[])',
     caughtBy: {
@@ -54,7 +54,7 @@ export const svg: readonly Mutation[] = [
   },
   {
     name: 'a reversed path begins where it began',
-    file: 'src/vector/order/orderPaths.ts',
+    file: 'src/vector/paths/orderPaths.ts',
     find: 'place = isReversed ? start : end;',
     replace: 'place = end;',
     caughtBy: {
@@ -109,7 +109,7 @@ export const svg: readonly Mutation[] = [
   },
   {
     name: 'closed paths stay open',
-    file: 'src/vector/paths/pathData.ts',
+    file: 'src/vector/paths/finishPaths.ts',
     find: "isClosed ? 'z' : ''",
     replace: "''",
     caughtBy: {
@@ -120,7 +120,7 @@ export const svg: readonly Mutation[] = [
   },
   {
     name: 'the last dash ends before the path',
-    file: 'src/vector/paths/dashes.ts',
+    file: 'src/vector/paths/LinePath.ts',
     find: '(length - on) / (count - 1)',
     replace: '(length - on) / count',
     caughtBy: {
@@ -131,7 +131,7 @@ export const svg: readonly Mutation[] = [
   },
   {
     name: 'dashes of a closed path end before it closes',
-    file: 'src/vector/paths/dashes.ts',
+    file: 'src/vector/paths/LinePath.ts',
     find: 'isClosed ? [...points, ...points.slice(0, PATH_STRIDE)] : points',
     replace: 'points',
     caughtBy: {
@@ -142,7 +142,7 @@ export const svg: readonly Mutation[] = [
   },
   {
     name: 'what crosses the edge is cut at its middle',
-    file: 'src/vector/paths/clipRing.ts',
+    file: 'src/vector/paths/strokeOutline.ts',
     find: 'here / (here - there)',
     replace: '0.5',
     caughtBy: {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { discRing, penDotRing, ringLength } from '../../../src/vector/dots/dotData.js';
+import { discRing, penDotRing, ringLength } from '../../../src/vector/paths/finishDots.js';
 
 const PEN = 0.3;
 

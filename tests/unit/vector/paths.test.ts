@@ -1,18 +1,15 @@
 import { describe, expect, test } from 'vitest';
+import { walkSegments } from '../../../src/vector/levelSegments.js';
+import { pathData } from '../../../src/vector/paths/finishPaths.js';
+import { dashes, pathLength, simplify } from '../../../src/vector/paths/LinePath.js';
 import {
   asDrawn,
   type OrderedPath,
   orderPaths,
   type PathEnds,
   travelOf,
-} from '../../../src/vector/order/orderPaths.js';
-import { clipRing } from '../../../src/vector/paths/clipRing.js';
-import { dashes } from '../../../src/vector/paths/dashes.js';
-import { pathLength } from '../../../src/vector/paths/LinePath.js';
-import { pathData } from '../../../src/vector/paths/pathData.js';
-import { simplify } from '../../../src/vector/paths/simplify.js';
-import { strokeOutline } from '../../../src/vector/paths/strokeOutline.js';
-import { walkSegments } from '../../../src/vector/walkSegments.js';
+} from '../../../src/vector/paths/orderPaths.js';
+import { clipRing, strokeOutline } from '../../../src/vector/paths/strokeOutline.js';
 import { finished } from './finished.js';
 import { ringsOf } from './paths.js';
 import { randomNumbers } from './randomNumbers.js';

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { fieldLight } from '../../../../src/vector/shading/fieldAxis.js';
 import { handWidth, hash01, turnOf } from '../../../../src/vector/shading/hand.js';
-import { fieldLight } from '../../../../src/vector/shading/lightField.js';
 import { octaves, powerOf2, roomOf } from '../../../../src/vector/shading/ruledLines.js';
 
 test('widths of lines are 1 in the mean, differ by a quarter at most, and each by its own', () => {

@@ -2,7 +2,7 @@ import { mat4, vec3 } from 'gl-matrix';
 import { normalize, type Vec3 } from '../../../../src/look/vectors.js';
 import { cutFor, cutWidth, rowOctaves } from '../../../../src/vector/shading/carving.js';
 import { leftOf, otherShare, sharedByTwo, takenOf } from '../../../../src/vector/shading/crossedTones.js';
-import { across, type CutField, fieldAt, firstField } from '../../../../src/vector/shading/fieldAxis.js';
+import { across, type CutField, fieldAt, fieldLight, firstField } from '../../../../src/vector/shading/fieldAxis.js';
 import {
   handPoint,
   handPressure,
@@ -12,10 +12,15 @@ import {
   slowWaves,
   turnOf,
 } from '../../../../src/vector/shading/hand.js';
-import { fieldLight } from '../../../../src/vector/shading/lightField.js';
+import {
+  cutFamilies,
+  familyGradient,
+  familyValue,
+  formVarying,
+  readCut,
+  readForm,
+} from '../../../../src/vector/shading/lineFunctions.js';
 import { penFor, strokeAt } from '../../../../src/vector/shading/penStrokes.js';
-import { cutFamilies, familyGradient, familyValue, readCut } from '../../../../src/vector/shading/readCut.js';
-import { formVarying, readForm } from '../../../../src/vector/shading/readForm.js';
 import { octaveOf, octaves, powerOf2, riseOf, roomOf, spacedBy } from '../../../../src/vector/shading/ruledLines.js';
 import { changePerPixel, screenMap } from '../../../../src/vector/shading/screenGradient.js';
 import { type Along, alongLines, differing, numberOf } from '../../../../src/vector/shading/strokeLengths.js';

@@ -7,11 +7,11 @@ import {
   looksAway,
   paperness,
   shadeWeight,
+  suggestiveShare,
   taperAt,
   toleranceOf,
   wobbleAt,
 } from '../../../../src/vector/shading/outlines.js';
-import { suggestiveShare } from '../../../../src/vector/shading/suggestiveContour.js';
 import { answers } from './answers.js';
 
 type Corners = readonly [Vec3, Vec3, Vec3];

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { normalize, type Vec3 } from '../../../../src/look/vectors.js';
-import { lineWeightAt, strideOf } from '../../../../src/vector/shading/lineWeight.js';
-import { suggestiveShare } from '../../../../src/vector/shading/suggestiveContour.js';
+import { strideOf, suggestiveShare } from '../../../../src/vector/shading/outlines.js';
+import { lineWeightAt } from '../../../../src/vector/shading/lineWeight.js';
 
 describe('the line weight of an outline', () => {
   test('is all paper, without accent, where only paper lies behind', () => {

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { normalize, type Vec3 } from '../../../../src/look/vectors.js';
 import { lineAt, lineWidth, placeOnLine } from '../../../../src/vector/shading/background.js';
 import { awayField, groundTone, lineLeft } from '../../../../src/vector/shading/groundShadow.js';
-import { meanLightAt } from '../../../../src/vector/shading/meanLight.js';
+import { meanLightAt } from '../../../../src/vector/shading/radiance.js';
 import type { ToneLook } from '../../../../src/vector/shading/tone.js';
 import { answers } from './answers.js';
 

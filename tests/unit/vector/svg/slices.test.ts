@@ -1,11 +1,11 @@
 import { TorusGeometry } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { Bvh } from '../../../../src/vector/Bvh.js';
+import { TriangleSplitter } from '../../../../src/vector/buildBvh.js';
 import { drawLines } from '../../../../src/vector/drawLines.js';
 import { planOf } from '../../../../src/vector/svg/DrawSVGOptions.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { readScene } from '../../../../src/vector/svg/readScene.js';
-import { TriangleSplitter } from '../../../../src/vector/TriangleSplitter.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 
 /** Counts array reads in place of time. */

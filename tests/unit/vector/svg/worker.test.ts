@@ -1,8 +1,8 @@
 import { TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
+import { lineTasks } from '../../../../src/vector/drawLines.js';
 import { runSliced } from '../../../../src/mesh/phases.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
-import { lineTasks } from '../../../../src/vector/svg/lineTasks.js';
 import type { ToWorker } from '../../../../src/worker/protocol.js';
 import { disposeHatchingWorkers } from '../../../../src/worker/runTask.js';
 import { FakeWorker } from '../../worker/FakeWorker.js';

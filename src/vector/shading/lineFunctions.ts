@@ -1,9 +1,9 @@
-/** The families of lines cut by a field, at a place, as in readCut.glsl. */
-
-import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { FIELD_CONSTANTS, FORM_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, cross, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
 import { across, type Field, fieldAt } from './fieldAxis.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';
+
+/** The families of lines cut by a field, at a place, as in readCut.glsl. */
 
 const { BARE_SLOPE, SIDE_FADE } = FIELD_CONSTANTS;
 
@@ -66,3 +66,36 @@ export const familyValue = (
 /** Its gradient, of any length. */
 export const familyGradient = (families: CutFamilies, { gradient }: CutReading, { cosine, sine, side }: Lean): Vec3 =>
   side === null ? gradient : combined(cosine, gradient, sine, sideOf(families, side));
+
+/** Lines that follow the form, at a place, as in readForm.glsl: level sets of two baked functions. */
+
+const { WIDTH_WAVE } = FORM_CONSTANTS;
+export const { COARSEST_OCTAVES } = FORM_CONSTANTS;
+
+/** A function at a vertex: its gradient per tile, field space, and its value minus half of the gradient's product with the position. */
+export interface FormAt {
+  gradient: Vec3;
+  rest: number;
+}
+
+/** The function as shaders interpolate it. place: field space, tiles. */
+export const formVarying = (gradient: Vec3, value: number, place: Vec3): FormAt => ({
+  gradient,
+  rest: value - 0.5 * dot(gradient, place),
+});
+
+/** The value of a function at a position displaced by the hand, and the pressure there. isInk: whether lines are drawn in one go. */
+export function readForm(
+  { gradient, rest }: FormAt,
+  place: Vec3,
+  handmade: number,
+  isInk: boolean,
+): { value: number; pressure: number } {
+  const waves = slowWaves(place);
+  const stray = handPoint([0, 0, 0], waves, handmade);
+  return {
+    value: rest + dot(gradient, combined(0.5, place, 1, stray)),
+    // Strokes and cuts have variations of their own.
+    pressure: handPressure(waves, handmade) + (isInk ? handmade * WIDTH_WAVE * waves[2] : 0),
+  };
+}

@@ -1,16 +1,19 @@
-import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
-import { combined, dot, normalize, timesVector, type Vec3 } from '../../look/vectors.js';
-import type { Bvh } from '../Bvh.js';
-import { between, type LineSurface, STRIDE, type SurfacePlace } from '../LineSurface.js';
-import type { Projection } from '../Projection.js';
-import { type Clip, isClipped } from '../paint/Clip.js';
-import type { Fading } from '../paint/Fading.js';
-import type { PlaceReader } from '../paint/PlaceReader.js';
-import { type ScreenMap, screenGradient, screenMap } from '../shading/screenGradient.js';
+import { STIPPLE_CONSTANTS } from '../look/constants/stippleConstants.js';
+import { combined, dot, normalize, timesVector, type Vec3 } from '../look/vectors.js';
+import { asPhase } from '../mesh/phases.js';
+import type { Bvh } from './Bvh.js';
+import type { DrawnScene, StippledSurface } from './DrawnScene.js';
+import { between, type LineSurface, STRIDE, type SurfacePlace } from './LineSurface.js';
+import type { Projection } from './Projection.js';
+import type { Fading } from './paint/Fading.js';
+import { type Clip, isClipped } from './paint/PaintLook.js';
+import { PlaceReader } from './paint/PlaceReader.js';
+import { type ScreenMap, screenGradient, screenMap } from './shading/screenGradient.js';
 import {
   coverOf,
   type DotLayers,
   type DotPlane,
+  type DotSet,
   type DotSize,
   directionOfNeedles,
   dotArea,
@@ -22,17 +25,51 @@ import {
   planesNear,
   roundScreenMap,
   setShift,
-} from '../shading/stipple.js';
-import type { Toner } from '../Toner.js';
+} from './shading/stipple.js';
+import { subdivide } from './subdivide.js';
+import { Toner } from './Toner.js';
+import { seenSides } from './traceFamily.js';
 
-/**
- * The point set of dots. Each cell has four numbers: the position of its point within it, 255 for 1, and the part of an octave at which it
- * appears.
- */
-export interface DotSet {
-  /** Cells per side, after which the set repeats. */
-  cells: number;
-  texels: Uint8Array;
+/** The dots of one ink. */
+export interface DotLayer {
+  ink: string;
+  dots: Dot[];
+}
+
+/** Draws the dots of stippled surfaces. above: height above surfaces at which rays start, world units. Yields its progress. */
+export function* drawDots(
+  scene: DrawnScene,
+  projection: Projection,
+  bvh: Bvh,
+  fading: Fading,
+  above: number,
+): Generator<number, DotLayer[], void> {
+  const layers: DotLayer[] = [];
+  const { stippled } = scene;
+  for (const [i, one] of stippled.entries()) {
+    const drawing = dotsOf(one, scene, projection, bvh, fading, above);
+    const dots = yield* asPhase(drawing, i / stippled.length, (i + 1) / stippled.length);
+    const layer = layers.find(({ ink }) => ink === one.ink);
+    if (layer) for (const dot of dots) layer.dots.push(dot);
+    else layers.push({ ink: one.ink, dots });
+  }
+  return layers;
+}
+
+function* dotsOf(
+  { surface, size, set, layers, look, paint, clip }: StippledSurface,
+  { illumination }: DrawnScene,
+  projection: Projection,
+  bvh: Bvh,
+  fading: Fading,
+  above: number,
+): Generator<number, Dot[], void> {
+  yield* asPhase(subdivide(surface, projection), 0, 0.1);
+  const sides = yield* asPhase(seenSides(surface, projection), 0.1, 0.15);
+  const toner = new Toner(look, illumination, bvh, projection);
+  const places = new PlaceReader(surface, paint, sides, projection);
+  const scene = { surface, places, clip, size, set, layers, toner, projection, bvh, fading, sides, above };
+  return yield* asPhase(placeDots(scene), 0.15, 1);
 }
 
 /** A disc, pixels of the picture. */

@@ -7,7 +7,7 @@ import {
   type SkinnedMesh,
   Vector3,
 } from 'three';
-import { asPhase } from '../../../mesh/phases.js';
+import { asPhase } from '../../mesh/phases.js';
 
 /** The deformed vertices of a mesh, object space. */
 export interface PosedVertices {

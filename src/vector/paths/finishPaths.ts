@@ -1,12 +1,9 @@
 import { asPhase } from '../../mesh/phases.js';
 import type { DrawingPlan } from '../DrawnScene.js';
-import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from '../order/orderPaths.js';
 import type { Projection } from '../Projection.js';
-import { clipRing } from '../paths/clipRing.js';
-import { type LinePath, PATH_STRIDE, pathLength, reversedPoints } from '../paths/LinePath.js';
-import { type Placement, pathData } from '../paths/pathData.js';
-import { simplify } from '../paths/simplify.js';
-import { strokeOutline } from '../paths/strokeOutline.js';
+import { type LinePath, PATH_STRIDE, pathLength, reversedPoints, simplify } from './LinePath.js';
+import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from './orderPaths.js';
+import { clipRing, type Ring, strokeOutline } from './strokeOutline.js';
 
 /** Statistics of the paths of a drawing. Lengths in millimetres. */
 export interface PathCounts {
@@ -105,4 +102,43 @@ function placesOf({ points }: LinePath): number[] {
   const places: number[] = [];
   for (let o = 0; o < points.length; o += PATH_STRIDE) places.push(points[o], points[o + 1]);
   return places;
+}
+
+/** Coordinates are written in hundredths of a millimetre. */
+const PER_MILLIMETRE = 100;
+
+/** The placement of a picture on its sheet. */
+export interface Placement {
+  /** Millimetres per pixel. */
+  scale: number;
+  /** The upper left corner of the picture, millimetres. */
+  left: number;
+  top: number;
+}
+
+/** A number of hundredths, in its shortest form. */
+function written(hundredths: number): string {
+  const text = (hundredths / PER_MILLIMETRE).toFixed(2).replace(/\.?0+$/, '');
+  return text.replace(/^(-?)0\./, '$1.') || '0';
+}
+
+/** The path data of a polyline; empty if all points are at one place. */
+export function pathData(xy: Ring, isClosed: boolean, { scale, left, top }: Placement): string {
+  const at = (i: number): readonly [number, number] => [
+    Math.round((left + scale * xy[2 * i]) * PER_MILLIMETRE),
+    Math.round((top + scale * xy[2 * i + 1]) * PER_MILLIMETRE),
+  ];
+  if (xy.length < 4) return '';
+  let [x, y] = at(0);
+  const first = `M${written(x)} ${written(y)}`;
+  let steps = '';
+  for (let i = 1; 2 * i < xy.length; i++) {
+    const [nextX, nextY] = at(i);
+    if (nextX === x && nextY === y) continue;
+    const [dx, dy] = [written(nextX - x), written(nextY - y)];
+    // A minus sign needs no space before it.
+    steps += `${steps === '' ? 'l' : dx.startsWith('-') ? '' : ' '}${dx}${dy.startsWith('-') ? '' : ' '}${dy}`;
+    [x, y] = [nextX, nextY];
+  }
+  return steps === '' ? '' : `${first}${steps}${isClosed ? 'z' : ''}`;
 }

@@ -1,6 +1,5 @@
 import { asPhase } from '../../mesh/phases.js';
-import type { OrderedPath, PathEnds } from './improveOrder.js';
-import { improveOrder } from './improveOrder.js';
+import { improveOrder, type OrderedPath, type PathEnds } from './improveOrder.js';
 
 export type { OrderedPath, PathEnds };
 
