@@ -3,7 +3,6 @@ import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import { isPromise } from '../material/diagnostics/mustBeAwaited.js';
 import { warn } from '../material/diagnostics/warn.js';
-import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { startWorker } from '../worker/runTask.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { resolveOptions } from './applyOptions.js';

@@ -1,7 +1,7 @@
 import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/phases.js';
 import { type Chain, ChainBuilder } from '../Chain.js';
-import { type Projection, transformed, fadedPlace } from '../Projection.js';
+import { fadedPlace, type Projection, transformed } from '../Projection.js';
 import { outlineFadingAt } from '../shading/fading.js';
 import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js';
 import { meanLightAt } from '../shading/radiance.js';

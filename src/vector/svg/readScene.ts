@@ -1,4 +1,15 @@
-import { BackSide, type Camera, DoubleSide, type InstancedMesh, type Material, type Matrix4, type Mesh, type Object3D, type PerspectiveCamera, type Plane } from 'three';
+import {
+  BackSide,
+  type Camera,
+  DoubleSide,
+  type InstancedMesh,
+  type Material,
+  type Matrix4,
+  type Mesh,
+  type Object3D,
+  type PerspectiveCamera,
+  type Plane,
+} from 'three';
 import type { Vec3 } from '../../look/vectors.js';
 import { ExposureFit } from '../../material/exposure/ExposureFit.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
@@ -18,16 +29,32 @@ import { GrowingArray } from '../GrowingArray.js';
 import { moveToOrigin } from '../moveToOrigin.js';
 import type { Veil } from '../paint/Fading.js';
 import type { Cutout } from '../paint/PaintLook.js';
-import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, untestedBy, whyNoLines, whyNothing } from './leftOut.js';
+import {
+  drawnWithout,
+  faultOf,
+  isStippled,
+  type LeftOut,
+  sentence,
+  untestedBy,
+  whyNoLines,
+  whyNothing,
+} from './leftOut.js';
 import { type MeshCopy, meshCopies } from './meshCopies.js';
 import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
 import { type PosedVertices, posedVertices } from './posedVertices.js';
-import { readFading, readOutlineFading } from './readFading.js';
 import { fieldOf, hasTooManyTurns, turnedLinesOf } from './readField.js';
 import { readLights, type SceneLights } from './readLights.js';
-import { engravedLookOf, readBackground, surfaceLookOf } from './readLook.js';
+import { engravedLookOf, readBackground, readFading, readOutlineFading, surfaceLookOf } from './readLook.js';
 import { outlineLookOf, readOutlines } from './readOutlines.js';
-import { type DetailSource, firstCoordinate, flattened, readDetails, readStippled, readSurface, type TriangleRange } from './readSurface.js';
+import {
+  type DetailSource,
+  firstCoordinate,
+  flattened,
+  readDetails,
+  readStippled,
+  readSurface,
+  type TriangleRange,
+} from './readSurface.js';
 import { clipOf, leftBehind, shadowClipOf, variesInOpacity } from './seenThrough.js';
 import { objectFrame, surfaceFrame } from './surfaceFrame.js';
 

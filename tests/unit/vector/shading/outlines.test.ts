@@ -1,7 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { normalize, type Vec3 } from '../../../../src/look/vectors.js';
-import { strideOf, suggestiveShare } from '../../../../src/vector/shading/outlines.js';
-import { lineWeightAt } from '../../../../src/vector/shading/lineWeight.js';
+import { lineWeightAt, strideOf, suggestiveShare } from '../../../../src/vector/shading/outlines.js';
 
 describe('the line weight of an outline', () => {
   test('is all paper, without accent, where only paper lies behind', () => {

@@ -1,7 +1,7 @@
 import { TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
-import { lineTasks } from '../../../../src/vector/drawLines.js';
 import { runSliced } from '../../../../src/mesh/phases.js';
+import { lineTasks } from '../../../../src/vector/drawLines.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import type { ToWorker } from '../../../../src/worker/protocol.js';
 import { disposeHatchingWorkers } from '../../../../src/worker/runTask.js';
