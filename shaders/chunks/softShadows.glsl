@@ -33,53 +33,67 @@
     float farthest; // greatest distance of an occluder, world units
     float width; // width of the map at the point
     float nearing; // reciprocal of the distance of a lamp, 0 for a directional light
-    vec3 side; // unit vector across the light, as is `up`
-    vec3 up;
+    vec4 at; // the point on the map: homogeneous on a flat one, the vector from the light on a cube
+    vec4 towards; // what a unit of distance along the central ray adds to it
+    mat2x4 across; // what units to both sides add
+    vec4 depth; // numerator and denominator of the depth at the point, and what a unit of distance adds to them
   };
 
-  Rays raysTo(const in vec3 toLight, const in float width) {
+  float depthAlong(const in Rays rays, const in float distance) {
+    vec2 parts = rays.depth.xy + distance * rays.depth.zw;
+    return parts.x / parts.y;
+  }
+
+  #define SHADOW_MAP FLAT_SHADOW_MAP
+  #include "shadowSearch"
+  #ifdef CUBE_SHADOW_MAP
+    #define SHADOW_MAP CUBE_SHADOW_MAP
+    #include "shadowSearch"
+  #endif // CUBE_SHADOW_MAP
+
+  // Unit vectors across the light, to both sides.
+  mat2x3 besides(const in vec3 toLight) {
     vec3 side = normalize(cross(toLight, abs(toLight.y) < OVERHEAD ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
-    return Rays(width / max(shadowFade, 1.0 / FARTHEST_CASTER), width, 0.0, side, cross(toLight, side));
+    return mat2x3(side, cross(toLight, side));
+  }
+
+  float farthestCaster(const in float width) {
+    return width / max(shadowFade, 1.0 / FARTHEST_CASTER);
   }
 
   // matrix: from world to map. point: world space. toLight: unit, world space. Returns the light that passes and the share of the tone that
   // is left.
   vec2 flatShadow(
-    FLAT_SHADOW_MAP map, const in mat4 matrix, const in vec3 point, const in vec3 toLight, const in float bias, const in float radius,
-    const in float texels
+    FLAT_SHADOW_MAP map, const in mat4 matrix, const in vec3 point, const in vec3 toLight, const in ShadowMapFacts facts
   ) {
     vec4 at = matrix * vec4(point, 1.0);
     if (at.w <= 0.0 || any(greaterThan(abs(at.xyz / at.w - 0.5), vec3(0.5)))) return vec2(1.0);
     // The width of the map across the light at this distance is at.w divided by the length of this vector.
     vec4 row = vec4(matrix[0][0], matrix[1][0], matrix[2][0], 0.0);
     vec4 lastRow = vec4(matrix[0][3], matrix[1][3], matrix[2][3], 0.0);
-    Rays rays = raysTo(toLight, at.w / length(row - 0.5 * lastRow));
+    float width = at.w / length(row - 0.5 * lastRow);
     vec4 towards = matrix * vec4(toLight, 0.0);
-    rays.nearing = max(-towards.w / at.w, 0.0);
-    mat2x4 across = mat2x4(matrix * vec4(rays.side, 0.0), matrix * vec4(rays.up, 0.0));
-    #define MAP_PLACE vec4
-    #define PLACE(distance) (at + (distance) * towards)
-    #define DEPTH(distance) (at.z + (distance) * towards.z) / (at.w + (distance) * towards.w)
-    #define PASSES(place, depth) passesFlat(map, place, BIASED(depth, bias))
-    #include "shadowSearch"
+    mat2x3 sides = besides(toLight);
+    mat2x4 across = mat2x4(matrix * vec4(sides[0], 0.0), matrix * vec4(sides[1], 0.0));
+    Rays rays = Rays(
+      farthestCaster(width), width, max(-towards.w / at.w, 0.0), at, towards, across, vec4(at.zw, towards.zw)
+    );
+    return shadowSearch(map, facts, rays);
   }
 
   #ifdef CUBE_SHADOW_MAP
-    // fromLight: vector to the point, world space. range: near and far of the shadow camera.
-    vec2 cubeShadow(
-      CUBE_SHADOW_MAP map, const in vec3 fromLight, const in vec2 range, const in float bias, const in float radius, const in float texels
-    ) {
+    // fromLight: vector to the point, world space.
+    vec2 cubeShadow(CUBE_SHADOW_MAP map, const in vec3 fromLight, const in ShadowMapFacts facts) {
       vec3 onAxes = abs(fromLight);
       float lightDistance = length(fromLight);
       vec3 toLight = -fromLight / lightDistance;
-      Rays rays = raysTo(toLight, 2.0 * max(max(onAxes.x, onAxes.y), onAxes.z));
-      rays.nearing = 1.0 / lightDistance;
-      mat2x3 across = mat2x3(rays.side, rays.up);
-      #define MAP_PLACE vec3
-      #define PLACE(distance) (fromLight + (distance) * toLight)
-      #define DEPTH(distance) lightDistance - (distance)
-      #define PASSES(place, depth) passesCube(map, place, depth, range, bias)
-      #include "shadowSearch"
+      float width = 2.0 * max(max(onAxes.x, onAxes.y), onAxes.z);
+      mat2x3 sides = besides(toLight);
+      Rays rays = Rays(
+        farthestCaster(width), width, 1.0 / lightDistance, vec4(fromLight, 0.0), vec4(toLight, 0.0),
+        mat2x4(vec4(sides[0], 0.0), vec4(sides[1], 0.0)), vec4(lightDistance, 1.0, -1.0, 0.0)
+      );
+      return shadowSearch(map, facts, rays);
     }
   #endif // CUBE_SHADOW_MAP
 
@@ -94,10 +108,10 @@
     IncidentLight light;
     vec2 found;
     #define READ(number, by, shadow) found = by; toneLeft[number] = found.y; if (shadowSoftness > 0.0) passing[number] = mix(1.0, found.x, shadow.shadowIntensity);
-    #define VISIT_SHADOW(number, map, matrix, shadow) READ(number, flatShadow(map, matrix, point, (vec4(light.direction, 0.0) * viewMatrix).xyz, shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x), shadow)
+    #define VISIT_SHADOW(number, map, matrix, shadow) READ(number, flatShadow(map, matrix, point, (vec4(light.direction, 0.0) * viewMatrix).xyz, ShadowMapFacts(shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x, vec2(0.0))), shadow)
     #include "eachFlatShadow"
     #ifdef CUBE_SHADOW_MAP
-      #define VISIT_SHADOW(number, map, fromLight, shadow) READ(number, cubeShadow(map, (vec4(fromLight, 0.0) * viewMatrix).xyz, vec2(shadow.shadowCameraNear, shadow.shadowCameraFar), shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x), shadow)
+      #define VISIT_SHADOW(number, map, fromLight, shadow) READ(number, cubeShadow(map, (vec4(fromLight, 0.0) * viewMatrix).xyz, ShadowMapFacts(shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x, vec2(shadow.shadowCameraNear, shadow.shadowCameraFar))), shadow)
       #include "eachCubeShadow"
     #endif // CUBE_SHADOW_MAP
   }

@@ -29,22 +29,29 @@
   #define BIASED(depth, bias) ((depth) + (bias))
 #endif // USE_REVERSED_DEPTH_BUFFER
 
+// What three.js tells of a shadow map.
+struct ShadowMapFacts {
+  float bias;
+  float radius; // texels
+  float texels; // per side
+  vec2 range; // near and far of the camera of a cube
+};
+
 // at: homogeneous position in the map. Outside the map all light passes.
-float passesFlat(FLAT_SHADOW_MAP map, const in vec4 at, const in float depth) {
+float passes(FLAT_SHADOW_MAP map, const in ShadowMapFacts facts, const in vec4 at, const in float depth) {
   vec2 place = at.xy / at.w;
-  float there = SHADOW_TEXEL(map, place, depth);
+  float there = SHADOW_TEXEL(map, place, BIASED(depth, facts.bias));
   return any(greaterThan(abs(place - 0.5), vec2(0.5))) ? 1.0 : there;
 }
 
 #ifdef CUBE_SHADOW_MAP
   // towards: direction, of any length. lightDistance: distance of the point. A face of the cube measures depth along its own axis.
-  float passesCube(
-    CUBE_SHADOW_MAP map, const in vec3 towards, const in float lightDistance, const in vec2 range, const in float bias
-  ) {
-    vec3 direction = normalize(towards);
+  float passes(CUBE_SHADOW_MAP map, const in ShadowMapFacts facts, const in vec4 towards, const in float lightDistance) {
+    vec3 direction = normalize(towards.xyz);
     vec3 onAxes = abs(direction);
+    vec2 range = facts.range;
     float alongFace = max(lightDistance * max(max(onAxes.x, onAxes.y), onAxes.z), range.x);
-    float depth = range.y * (1.0 - range.x / alongFace) / (range.y - range.x) + bias;
+    float depth = range.y * (1.0 - range.x / alongFace) / (range.y - range.x) + facts.bias;
     #ifdef SHADOW_MAPS_COMPARE
       #ifdef USE_REVERSED_DEPTH_BUFFER
         depth = 1.0 - depth;

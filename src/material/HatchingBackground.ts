@@ -29,9 +29,9 @@ import { keptFromProxies } from './hatchingUniforms.js';
 import { writeSheet } from './pictureOffset.js';
 import { definesOf } from './shaders/definesOf.js';
 import type { Shaders } from './shaders/hatchingShaders.js';
-import { lightChunks } from './shaders/lightKinds.js';
 import { resolveIncludes } from './shaders/resolveIncludes.js';
 import { conventionsChunk } from './shaders/shaderConventions.js';
+import { lightChunks } from './three/lightKinds.js';
 import { warnOfRenderer } from './warnOfRenderer.js';
 
 /** The sources of the background shaders, and the chunks that they share with materials. */

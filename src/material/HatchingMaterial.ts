@@ -11,7 +11,6 @@ import {
   type ShaderMaterial,
   TangentSpaceNormalMap,
   type Texture,
-  type Vector2,
   Vector4,
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
@@ -22,8 +21,6 @@ import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } fro
 import type { PresetName } from '../look/presetMaterials.js';
 import { spelledOut } from '../look/presetParameters.js';
 import { followsForm, needsMap, usesThresholds } from '../look/queries.js';
-import { bindEnvironment, environmentAround } from './bindEnvironment.js';
-import { blurredEnvironment } from './blurredEnvironment.js';
 import { checkChoice, checkValues, warnOfUnused } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
 import { silence } from './diagnostics/warn.js';
@@ -44,18 +41,22 @@ import {
   writePropertyUniforms,
   writeSizeUniforms,
 } from './hatchingUniforms.js';
-import { keepHooks } from './keepHooks.js';
-import { MeshUniforms } from './MeshUniforms.js';
 import { PropertyFields } from './PropertyFields.js';
 import { ExposureInUse, PartInUse } from './parts/PartInUse.js';
 import { fetchParts, fetchPartsOf } from './parts/parts.js';
 import { drawnPart, writePartUniforms } from './pictureOffset.js';
-import { defineRigid, type ProgramFacts, programDefines, programSwitches, writeDefines } from './programDefines.js';
+import { type ProgramFacts, programDefines, programSwitches, writeDefines } from './programDefines.js';
 import { hatchingShaders, plainShaders, type Shaders } from './shaders/hatchingShaders.js';
 import { mapIsReady, sharedMap } from './sharedMaps.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
+import { bindEnvironment, blurredEnvironment, environmentAround } from './three/environments.js';
+import { defineRigid, keepHooks, RendererKind } from './three/hooks.js';
+import { MeshUniforms } from './three/MeshUniforms.js';
 import { withVectors } from './vectorValues.js';
-import { warnOfRenderer } from './warnOfRenderer.js';
+
+/** Properties beside those of the table that three.js copies in `ShaderMaterial.copy`. */
+// biome-ignore format: one line
+const COPIED = ['fog', 'normalMapType', 'lights', 'clipping', 'wireframe', 'wireframeLinewidth', 'vertexShader', 'fragmentShader'] as const;
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATCHING_PROPERTIES[name];
@@ -79,7 +80,7 @@ export class HatchingMaterial extends PropertyFields {
   normalMapType: NormalMapTypes = TangentSpaceNormalMap;
 
   /** The choices that were set. They include the technique, which decides the defaults of the others. */
-  private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
+  private readonly chosen: { [Name in HatchingPropertyName]?: string | boolean | undefined } = {
     technique: HATCHING_DEFAULTS.technique,
   };
   /** The tone curve that was set; undefined means the technique's default. */
@@ -100,11 +101,10 @@ export class HatchingMaterial extends PropertyFields {
   /** The uniforms that differ between meshes. @internal */
   readonly ofMesh: MeshUniforms;
   /** The program switches of the last frame (see `programSwitches`). */
-  private drawnSwitches: number | undefined;
+  private drawnSwitches = -1;
   /** Whether the program reads its strokes from a map. */
   private drawsWithMap = true;
-  /** Whether a WebGLRenderer has drawn or compiled this material. */
-  private isWithWebGL = false;
+  private readonly rendererKind = new RendererKind();
   /** Meshes that were announced before the first program was built. */
   private announced: Mesh[] = [];
   private readonly drawn = new DrawnMeshes();
@@ -215,26 +215,15 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /**
-   * Called by the renderer when it is about to choose a program, before a frame or in `compile`. Brings the program up to date.
+   * Called by the renderer when it is about to choose a program, before a frame or in `compile`. Brings the program up to date (see
+   * {@link ProgramFacts}).
    *
    * @returns a key that differs between programs of different hooks
    */
   override customProgramCacheKey(): string {
-    if (this.announced.some(environmentAround)) this.met.hasEnvironment = true;
     this.writeProgram();
-    this.askForRenderer();
+    this.rendererKind.ask('HatchingMaterial');
     return super.customProgramCacheKey();
-  }
-
-  /**
-   * Detects a WebGPURenderer and warns of it. Every renderer asks for the program's key; a WebGLRenderer then calls another hook at
-   * once, a WebGPURenderer never does.
-   */
-  private askForRenderer(): void {
-    if (this.isWithWebGL) return;
-    queueMicrotask(() => {
-      if (!this.isWithWebGL) warnOfRenderer('HatchingMaterial');
-    });
   }
 
   /**
@@ -254,7 +243,7 @@ export class HatchingMaterial extends PropertyFields {
    * the deformation pre-pass and of the environment's blur, which would otherwise be built in the first frame.
    */
   override onBeforeCompile(shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer): void {
-    this.isWithWebGL = true;
+    this.rendererKind.state = 'webgl';
     defineRigid(shader);
     if (!this.shaders) return;
     for (const mesh of this.announced.splice(0)) {
@@ -273,7 +262,7 @@ export class HatchingMaterial extends PropertyFields {
     object: Object3D,
     _group: Group,
   ): void {
-    this.isWithWebGL = true;
+    this.rendererKind.state = 'webgl';
     const drawn = drawnPart(renderer, camera);
     // The uniforms are written once for all meshes of a frame, because three.js, too, uploads the uniforms of a material once per frame
     // unless told otherwise.
@@ -283,7 +272,7 @@ export class HatchingMaterial extends PropertyFields {
       this.followsForm = followsForm(this);
       this.takesWeight = takesWeight(this);
       const switches = programSwitches(this);
-      if (this.drawnSwitches !== undefined && this.drawnSwitches !== switches) this.needsUpdate = true;
+      if (this.drawnSwitches !== switches) this.needsUpdate = true;
       this.drawnSwitches = switches;
       this.writeUniforms(renderer, camera);
       this.exposed.write(this, renderer, scene, camera, this.uniforms);
@@ -308,10 +297,7 @@ export class HatchingMaterial extends PropertyFields {
   override copy(source: this): this {
     // ShaderMaterial.copy would clone every texture among the uniforms, and each clone would be uploaded again.
     Material.prototype.copy.call(this, source);
-    const { fog, normalMapType, lights, clipping, wireframe, wireframeLinewidth, vertexShader, fragmentShader } =
-      source;
-    Object.assign(this, { fog, normalMapType, lights, clipping, wireframe, wireframeLinewidth });
-    Object.assign(this, { vertexShader, fragmentShader });
+    for (const name of COPIED) Object.assign(this, { [name]: source[name] });
     this.shaders = source.shaders;
     this.inUse.part = source.inUse.part;
     this.met.hasEnvironment = source.met.hasEnvironment;
@@ -342,23 +328,19 @@ export class HatchingMaterial extends PropertyFields {
     const property = propertyOf(name);
     const chosen = value === 'auto' && property.kind === 'choice' && property.defaultFor ? undefined : value;
     if (chosen === this.chosen[name]) return;
-    if (chosen === undefined) delete this.chosen[name];
-    else this.chosen[name] = chosen;
+    this.chosen[name] = chosen;
     this.writeProgram();
   }
 
   private copyProperty(name: HatchingPropertyName, source: this): void {
     switch (propertyOf(name).kind) {
       case 'color':
-        (this[name] as Color).copy(source[name] as Color);
-        break;
       case 'vector2':
-        (this[name] as Vector2).copy(source[name] as Vector2);
+        (this[name] as Color).copy(source[name] as Color);
         break;
       case 'choice':
       case 'switch':
-        if (source.chosen[name] === undefined) delete this.chosen[name];
-        else this.chosen[name] = source.chosen[name];
+        this.chosen[name] = source.chosen[name];
         break;
       case 'curve':
         writeCurveUniforms(source.toneCurve, this.uniforms);
@@ -393,12 +375,13 @@ export class HatchingMaterial extends PropertyFields {
   private mapInUse(): TonalArtMap | null {
     const { tonalArtMap } = this;
     if (typeof tonalArtMap !== 'string') return tonalArtMap;
-    return this.isWithWebGL ? sharedMap(tonalArtMap) : null;
+    return this.rendererKind.state === 'webgl' ? sharedMap(tonalArtMap) : null;
   }
 
   /** Updates the shaders and the defines after choices were set. Choices that are set together are applied at once. */
   private writeProgram(): void {
     if (this.isSettingValues) return;
+    if (this.announced.some(environmentAround)) this.met.hasEnvironment = true;
     this.exposed.fetch(this);
     if (!this.inUse.take(this)) {
       // Until the code has loaded, the surface looks as it did before, or like plain paper.

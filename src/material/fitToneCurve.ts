@@ -1,4 +1,5 @@
-import { TONE_CURVE_SPANS } from './shaders/shaderConventions.js';
+/** The greatest number of spans of a tone curve through points: one less than its points. */
+export const TONE_CURVE_SPANS = 7;
 
 /** A point of a tone curve: the tone of the light, and the tone that is printed for it. Both are in [0, 1], where 0 is paper. */
 export type ToneCurvePoint = readonly [light: number, printed: number];

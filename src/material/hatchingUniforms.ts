@@ -166,13 +166,9 @@ export function writeMapUniforms(map: TonalArtMap | null, isOfThresholds: boolea
   u.tonalArtMapTones.value = tones;
   // Neighbouring layers share a tone: the last of one is the first of the next.
   u.tonalArtMapLastLayer.value = Math.ceil((tones - 1) / 3) - 1;
-  if (map === null) {
-    u.thresholdMap.value = blankThresholdMap();
-    u.thresholdMapLevels.value = 1;
-    u.thresholdMoments.value.set(1, 1, 0);
-    u.thresholdMapSize.value = 1;
-    u.thresholdMapTexel.value.set(1, 1);
-  } else if (isOfThresholds) {
+  // Without a map no stroke is drawn, whatever the numbers of the last map are.
+  if (map === null) u.thresholdMap.value = blankThresholdMap();
+  else if (isOfThresholds) {
     u.thresholdMap.value = map.thresholdTexture;
     u.thresholdMapLevels.value = map.levels;
     const { variance, coarserVariance, covariance } = map.thresholdMoments;

@@ -14,39 +14,24 @@ export type ViewedCamera = Camera & {
 };
 
 /**
- * Writes the offset of the drawn picture within the whole picture, in pixels from the lower left: a large picture is drawn tile by
- * tile, by `setViewOffset`. Allocates nothing.
- *
- * @param viewport the viewport of the drawn picture, in pixels
- */
-export function writePictureOffset(target: Vector2, camera: Camera, viewport: Vector4): void {
-  const { view } = camera as ViewedCamera;
-  if (!view?.enabled) {
-    target.set(0, 0);
-    return;
-  }
-  const { fullHeight, offsetX, offsetY, width, height } = view;
-  // View offsets count from the upper left, in units of the full view.
-  const fromBelow = fullHeight - offsetY - height;
-  target.set((offsetX * viewport.z) / width - viewport.x, (fromBelow * viewport.w) / height - viewport.y);
-}
-
-/**
- * Writes the place of the sheet: its lower left corner relative to that of the render target, and its size, in pixels. If a picture is
- * drawn in tiles, the sheet is the whole picture. Allocates nothing.
+ * Writes the place of the sheet: its lower left corner relative to that of the render target, and its size, in pixels. A large picture
+ * is drawn tile by tile, by `setViewOffset`; the sheet is then the whole picture. Allocates nothing.
  *
  * @param viewport the viewport that is drawn to, in pixels
+ * @param offset receives the place of the render target within the sheet, if tiles are drawn
  */
-export function writeSheet(sheet: Vector4, camera: Camera, viewport: Vector4): void {
+export function writeSheet(sheet: Vector4, camera: Camera, viewport: Vector4, offset?: Vector2): void {
   sheet.copy(viewport);
+  offset?.set(0, 0);
   const { view } = camera as ViewedCamera;
   if (!view?.enabled) return;
   const { fullWidth, fullHeight, offsetX, offsetY, width, height } = view;
   sheet.z *= fullWidth / width;
   sheet.w *= fullHeight / height;
-  // View offsets count from the upper left.
+  // View offsets count from the upper left, in units of the full view.
   sheet.x -= (offsetX * viewport.z) / width;
   sheet.y -= ((fullHeight - offsetY - height) * viewport.w) / height;
+  offset?.set(0 - sheet.x, 0 - sheet.y);
 }
 
 const currentViewport = /* @__PURE__ */ new Vector4();
@@ -58,6 +43,5 @@ export const drawnPart = (renderer: WebGLRenderer, camera: Camera): Vector4 =>
 /** Writes the uniforms that depend on that part of the render target. Allocates nothing. */
 export function writePartUniforms(camera: Camera, drawn: Vector4, u: Record<string, IUniform>): void {
   u.viewportHeight.value = drawn.w;
-  writePictureOffset(u.toothOffset.value, camera, drawn);
-  writeSheet(u.sheet.value, camera, drawn);
+  writeSheet(u.sheet.value, camera, drawn, u.toothOffset.value);
 }

@@ -1,4 +1,4 @@
-import type { Texture, WebGLProgramParametersWithUniforms } from 'three';
+import type { Texture } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { needsAdjacency } from '../look/queries.js';
@@ -15,7 +15,15 @@ import {
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 
-/** The facts, beside the properties of its material, that decide a program: those of the scene and of the mesh that were drawn last. */
+/**
+ * The facts, beside the properties of its material, that decide a program. These are all the states that a program can be in:
+ *
+ * | fact | while meshes are announced | after the first frame |
+ * | --- | --- | --- |
+ * | `hasEnvironment` | whether one of them is in an environment that has loaded | that of the scene drawn last |
+ * | `vertexLayout` | that of the mesh announced last | that of the mesh drawn last |
+ * | `hasForm` | that of the mesh announced last | that of the mesh drawn last |
+ */
 export interface ProgramFacts {
   hasEnvironment: boolean;
   /** The layout in which the mesh stores its adjacency. */
@@ -93,37 +101,18 @@ export function programSwitches(material: HatchingMaterialProperties & { normalM
     if (HATCHING_PROPERTIES[name as HatchingPropertyName].kind !== 'texture') continue;
     switches = switches * 16 + textureSwitches(material[name as HatchingPropertyName] as Texture | null);
   }
-  switches = switches * 2 + Number(material.sizedOnScreen > 0);
-  switches = switches * 4 + material.side;
-  switches = switches * 8 + material.blending;
-  switches = switches * 2 + Number(material.transparent);
-  switches = switches * 2 + Number(material.alphaHash);
-  switches = switches * 2 + Number(material.alphaToCoverage);
-  switches = switches * 2 + Number(material.dithering);
-  switches = switches * 2 + Number(material.premultipliedAlpha);
-  return switches * 2 + Number(material.vertexColors);
+  switches = 32 * switches + 8 * material.side + material.blending;
+  for (let i = 0; i < FLAGS.length; i++) switches = 2 * switches + Number(material[FLAGS[i]]);
+  return 2 * switches + Number(material.sizedOnScreen > 0);
 }
+
+/** Properties of three's `Material` that decide the program. */
+const FLAGS = [
+  ...(['transparent', 'alphaHash', 'alphaToCoverage', 'dithering', 'premultipliedAlpha', 'vertexColors'] as const),
+] as const;
 
 /** The switches of one texture, in [0, 16). */
 function textureSwitches(texture: Texture | null): number {
   if (texture === null) return 0;
   return 1 + 2 * texture.channel + 8 * Number('isVideoTexture' in texture);
-}
-
-/** The parameters of a program that three.js passes to `onBeforeCompile`. */
-export type ProgramParameters = WebGLProgramParametersWithUniforms;
-
-/** The define for shaders of a mesh that neither deforms nor has instances. */
-const RIGID = '#define RIGID\n';
-
-/** Whether the vertices of a program's meshes move only with their object. three.js defines these facts in the vertex shader alone. */
-export function isRigid({ skinning, instancing, batching, morphTargets, morphNormals }: ProgramParameters): boolean {
-  return !(skinning || instancing || batching || morphTargets || morphNormals);
-}
-
-/** Defines `RIGID` in both shaders of a rigid program. It may run twice, since a user's hook may call the material's. */
-export function defineRigid(shader: ProgramParameters): void {
-  if (!isRigid(shader) || shader.vertexShader.includes(RIGID)) return;
-  shader.vertexShader = `${RIGID}${shader.vertexShader}`;
-  shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
 }

@@ -2,6 +2,7 @@ import type { BufferGeometry, Camera, Object3D, Vector4, WebGLRenderer } from 't
 import { silence } from '../diagnostics/warn.js';
 import { isFetched } from '../parts/parts.js';
 import type { DrawnMaterial, FirstDraw } from './FirstDraw.js';
+import { loadChecks } from './loadChecks.js';
 
 /** The state of a mesh when it was checked last. */
 interface Seen {
@@ -17,7 +18,7 @@ const waiting: FirstDraw[] = [];
 let checks: typeof import('./checkDraws.js') | undefined;
 
 async function check(): Promise<void> {
-  checks = await import('./checkDraws.js');
+  checks = await loadChecks();
   checks.checkDraws(waiting.splice(0));
 }
 

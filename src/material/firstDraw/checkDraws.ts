@@ -30,6 +30,7 @@ async function isOnlyFrame({ material, renderer, frame }: FirstDraw): Promise<bo
 }
 
 export { isStale } from '../geometry/staleGeometry.js';
+export { warnOfChunk } from '../three/warnOfChunk.js';
 
 /** The mistakes that were reported of each material, geometry, scene or renderer. */
 const told = new WeakMap<object, Set<Mistake>>();

@@ -28,15 +28,15 @@ import {
 import { checkColor } from '../checkValues.js';
 import { FrameStamp } from '../FrameStamp.js';
 import { type FadingLook, takesWeight, writeFading, writeImportance } from '../fading/fading.js';
-import { MeshUniforms } from '../MeshUniforms.js';
-import { writePictureOffset, writeSheet } from '../pictureOffset.js';
+import { writeSheet } from '../pictureOffset.js';
 import { definesOf } from '../shaders/definesOf.js';
 import type { Shaders } from '../shaders/hatchingShaders.js';
-import { lightChunks } from '../shaders/lightKinds.js';
 import { resolveIncludes } from '../shaders/resolveIncludes.js';
 import { conventionsChunk } from '../shaders/shaderConventions.js';
 import { toothConstantsChunk } from '../tam/patternSizes.js';
 import { toothMap } from '../tam/toothMap.js';
+import { lightChunks } from '../three/lightKinds.js';
+import { MeshUniforms } from '../three/MeshUniforms.js';
 import type { Vector2Like } from '../vectorValues.js';
 import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName } from './outlineProperties.js';
 import { createOutlineUniforms, OUTLINE_MESH_UNIFORMS } from './outlineUniforms.js';
@@ -274,8 +274,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
       this.writeUniforms(isDeformed, hasMaterials, renderer.getPixelRatio());
       u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
       writeFading(look, u, renderer, camera);
-      writeSheet(u.sheet.value, camera, viewport);
-      writePictureOffset(u.toothOffset.value, camera, viewport);
+      writeSheet(u.sheet.value, camera, viewport, u.toothOffset.value);
     }
     writeImportance(mesh, takesWeight(look), u);
     writeDrawState(this, u);

@@ -1,9 +1,9 @@
 import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, Scene, WebGLRenderer } from 'three';
 import type { ToneFit } from '../exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
-import type { MeshUniforms } from '../MeshUniforms.js';
 import type { ShaderFiles } from '../shaders/hatchingShaders.js';
 import type { VertexLayout } from '../shaders/shaderConventions.js';
+import type { MeshUniforms } from '../three/MeshUniforms.js';
 
 /**
  * The shader files and code of a technique or a medium, beyond what every material has. Each part is fetched when a material first

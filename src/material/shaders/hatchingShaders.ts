@@ -1,15 +1,12 @@
 import { ShaderLib } from 'three';
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
-import { lightChunks, shadowChunks } from './lightKinds.js';
+import { needsAdjacency } from '../../look/queries.js';
+import { packingChunk } from '../three/chunks.js';
+import { environmentLayout } from '../three/environments.js';
+import { lightChunks, shadowChunks } from '../three/lightKinds.js';
+import { shadowDepthChunk, shadowMapsChunk } from '../three/shadowMaps.js';
 import { resolveIncludes } from './resolveIncludes.js';
-import {
-  conventionsChunk,
-  cornerAttributesChunk,
-  environmentLayout,
-  mapTransformsChunk,
-  packingChunk,
-} from './shaderConventions.js';
-import { shadowDepthChunk, shadowMapsChunk } from './shadowMaps.js';
+import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk } from './shaderConventions.js';
 
 /** The sources of a program's two stages. The library's includes are resolved; three.js resolves its own when it compiles. */
 export interface Shaders {
@@ -35,10 +32,10 @@ const files: ShaderFiles = import.meta.glob(
 );
 
 /** Chunks of media, included by name, that are empty with other media. */
-const ABSENT = { dryMedium: '', 'technique/stipple': '' };
+const ABSENT: Readonly<Record<string, string>> = { dryMedium: '', 'technique/stipple': '' };
 
 // Shaders are resolved on first use, so that a page that never hatches does no work, and a bundler may leave this out.
-const made = new Map<HatchingTechnique, Map<ShaderFiles, Shaders>>();
+const made = new Map<ShaderFiles, Partial<Record<HatchingTechnique, Shaders>>>();
 const NONE: ShaderFiles = {};
 
 /**
@@ -47,23 +44,19 @@ const NONE: ShaderFiles = {};
  * @param further the files of the part that the technique or the medium needs
  */
 export function hatchingShaders(technique: HatchingTechnique, further = NONE): Shaders {
-  const known = made.get(technique) ?? new Map<ShaderFiles, Shaders>();
-  made.set(technique, known);
-  let shaders = known.get(further);
-  if (!shaders) {
-    const chunks: Record<string, string> = {
-      ...ABSENT,
-      ...sharedChunks(),
-      ...namedChunks({ ...files, ...further }, technique),
-    };
-    chunks['environment/layout'] = chunks[`environment/${environmentLayout()}`];
-    shaders = {
-      vertexShader: resolveIncludes(chunks['hatching.vert'], chunks),
-      fragmentShader: resolveIncludes(chunks['hatching.frag'], chunks),
-    };
-    known.set(further, shaders);
-  }
-  return shaders;
+  const known = made.get(further) ?? {};
+  made.set(further, known);
+  known[technique] ??= shadersOf(technique, { ...files, ...further });
+  return known[technique];
+}
+
+function shadersOf(technique: HatchingTechnique, all: ShaderFiles): Shaders {
+  const chunks = { ...ABSENT, ...sharedChunks(), ...namedChunks(all, technique) };
+  chunks['environment/layout'] = chunks[`environment/${environmentLayout() ?? 'cube'}`];
+  return {
+    vertexShader: resolveIncludes(chunks['hatching.vert'], chunks),
+    fragmentShader: resolveIncludes(chunks['hatching.frag'], chunks),
+  };
 }
 
 /** The shaders of plain paper, drawn while the code of a technique loads. */
@@ -84,15 +77,16 @@ const sharedChunks = (): Record<string, string> => ({
   ...lightChunks(),
 });
 
-/** Chunks by the names they are included by: `tone` for chunks/tone.glsl, `technique/read` for techniques/<technique>/read.glsl. */
-const namedChunks = (files: ShaderFiles, technique: HatchingTechnique): Record<string, string> =>
-  Object.fromEntries(
-    Object.entries(files).map(([path, text]) => [
-      path
-        .replace('./', '')
-        .replace(`techniques/${technique}/`, 'technique/')
-        .replace('chunks/', '')
-        .replace('.glsl', ''),
-      text,
-    ]),
-  );
+/**
+ * Chunks by the names they are included by: `tone` for chunks/tone.glsl, `technique/read` for techniques/<technique>/read.glsl. A technique
+ * that lacks a file has that of all techniques per triangle or per fragment, which come before it in the alphabet.
+ */
+function namedChunks(files: ShaderFiles, technique: HatchingTechnique): Record<string, string> {
+  const common = needsAdjacency({ technique }) ? 'perTriangle' : 'perFragment';
+  const named: Record<string, string> = {};
+  for (const [path, text] of Object.entries(files)) {
+    const name = path.slice(2).replace('chunks/', '').replace('.glsl', '');
+    named[name] = named[name.replace(common, 'technique').replace(`techniques/${technique}`, 'technique')] = text;
+  }
+  return named;
+}

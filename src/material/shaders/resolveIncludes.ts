@@ -6,20 +6,9 @@ const OUR_INCLUDE = /^[ \t]*#include[ \t]*"(.*)"[ \t]*$/gm;
  *
  * @throws Error if a chunk is missing, or includes itself.
  */
-export function resolveIncludes(
-  source: string,
-  chunks: Readonly<Record<string, string>>,
-  within: readonly string[] = [],
-): string {
-  return source.replace(OUR_INCLUDE, (_line, name: string) => {
-    if (!Object.hasOwn(chunks, name)) {
-      throw new Error(
-        `resolveIncludes: there is no shader chunk "${name}"; known are ${Object.keys(chunks).join(', ')}.`,
-      );
-    }
-    if (within.includes(name)) {
-      throw new Error(`resolveIncludes: the shader chunk "${name}" includes itself, by way of ${within.join(', ')}.`);
-    }
-    return resolveIncludes(chunks[name], chunks, [...within, name]);
+export const resolveIncludes = (source: string, chunks: Readonly<Record<string, string>>): string =>
+  source.replace(OUR_INCLUDE, (_line, included: string) => {
+    if (!Object.hasOwn(chunks, included)) throw new Error(`no shader chunk "${included}", or it includes itself`);
+    const { [included]: text, ...others } = chunks;
+    return resolveIncludes(text, others);
   });
-}

@@ -1,4 +1,3 @@
-import { ShaderChunk } from 'three';
 import {
   FADING_CONSTANTS,
   SHADOW_CONSTANTS,
@@ -8,12 +7,11 @@ import {
 import { constantCase, type HatchingProperty, type HatchingTexture } from '../../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../../look/hatchingProperties.js';
 import { cornerLayout } from '../../mesh/bake/attributeLayouts.js';
+import { TONE_CURVE_SPANS } from '../fitToneCurve.js';
+import { lightCountDefines } from '../three/lightKinds.js';
 import { definesOf } from './definesOf.js';
-import { lightCountDefines } from './lightKinds.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
-/** The greatest number of spans of a tone curve through points: one less than its points. */
-export const TONE_CURVE_SPANS = 7;
 
 export const VERTEX_LAYOUTS = ['corner', 'pull', 'deforming'] as const;
 /** Where a vertex reads its adjacency primitive: in its attributes, in textures, or in textures that a pre-pass writes. */
@@ -55,13 +53,6 @@ export const mapTransformsChunk = (): string =>
     })
     .join('\n');
 
-/** three's chunk with which the shadows of older versions unpack depth. A later version may no longer have it. */
-export const packingChunk = (): string => ('packing' in ShaderChunk ? '#include <packing>' : '');
-
 /** Declarations of the attributes of the `corner` layout. */
 export const cornerAttributesChunk = (): string =>
   cornerLayout.map(({ name, itemSize }) => `attribute vec${itemSize} ${name};`).join('\n');
-
-/** The layout of a blurred environment in the installed three.js: an atlas before 0.187, a cube from 0.187 on. */
-export const environmentLayout = (): 'atlas' | 'cube' =>
-  'cube_uv_reflection_fragment' in ShaderChunk ? 'atlas' : 'cube';

@@ -32,7 +32,7 @@ import {
   writeOutlineLook,
 } from '../../material/outlines/outlineValues.js';
 import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
-import { writePictureOffset, writeSheet } from '../../material/pictureOffset.js';
+import { writeSheet } from '../../material/pictureOffset.js';
 import { toothMap } from '../../material/tam/toothMap.js';
 import { clipSpine, type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
 
@@ -171,8 +171,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
     // It uses only what both renderers have.
     writeFading(look, u, renderer as unknown as WebGLRenderer, camera);
-    writeSheet(u.sheet.value, camera, viewport);
-    writePictureOffset(u.toothOffset.value, camera, viewport);
+    writeSheet(u.sheet.value, camera, viewport, u.toothOffset.value);
     writeImportance(mesh, takesWeight(look), u);
     writeDrawState(this, u);
   }

@@ -15,8 +15,8 @@ export const material: readonly Mutation[] = [
   {
     name: 'tiles of a picture count from above',
     file: 'src/material/pictureOffset.ts',
-    find: 'const fromBelow = fullHeight - offsetY - height',
-    replace: 'const fromBelow = offsetY',
+    find: 'sheet.y -= ((fullHeight - offsetY - height)',
+    replace: 'sheet.y -= ((offsetY)',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/pictureOffset.test.ts',
@@ -25,12 +25,12 @@ export const material: readonly Mutation[] = [
   },
   {
     name: 'a hook has no source of its own',
-    file: 'src/material/keepHooks.ts',
+    file: 'src/material/three/hooks.ts',
     find: 'hook.toString = () => String(set);',
     replace: '',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/material/keepHooks.test.ts',
+      file: 'tests/unit/material/three/hooks.test.ts',
       title: 'a hook that was read can be set again, also on another material, and delete removes it',
     },
   },
@@ -58,12 +58,12 @@ export const material: readonly Mutation[] = [
   },
   {
     name: 'a hook that is set again runs twice',
-    file: 'src/material/keepHooks.ts',
+    file: 'src/material/three/hooks.ts',
     find: 'userHooks.has(value) ? (userHooks.get(value) as Hook) : value',
     replace: 'value',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/material/keepHooks.test.ts',
+      file: 'tests/unit/material/three/hooks.test.ts',
       title: 'runs once, also if a hook that was read is set again, any number of times',
     },
   },

@@ -1,10 +1,10 @@
 import { PerspectiveCamera, Vector2, Vector4 } from 'three';
 import { expect, test } from 'vitest';
-import { writePictureOffset } from '../../../src/material/pictureOffset.js';
+import { writeSheet } from '../../../src/material/pictureOffset.js';
 
 const offset = (camera: PerspectiveCamera, viewport: Vector4): number[] => {
   const target = new Vector2(7, 7);
-  writePictureOffset(target, camera, viewport);
+  writeSheet(new Vector4(), camera, viewport, target);
   return target.toArray();
 };
 

@@ -107,7 +107,7 @@ function constantsOfNodes(nodes: string): Record<string, string> {
  * whole files of nodes.
  */
 const TOGETHER: Record<string, { glsl?: readonly string[]; nodes?: readonly string[] }> = {
-  // The chunk is included twice; its constants are defined before.
+  // The chunk is included for flat maps and for cubes; its constants are defined before.
   'chunks/shadowSearch.glsl': { glsl: ['chunks/softShadows.glsl'] },
   'chunks/softShadows.glsl': { nodes: ['chunks/shadowSearch.glsl'] },
   // A define of the medium is an argument of the nodes.
@@ -172,8 +172,6 @@ const OTHER_UNIFORMS: Record<string, readonly string[]> = {
 const OTHER_CONSTANTS: Record<string, readonly string[]> = {
   // A literal in GLSL.
   'chunks/shadowSearch.glsl': ['RINGS'],
-  // A type, not a number.
-  'chunks/softShadows.glsl': ['MAP_PLACE'],
   // A property of three.js' versions.
   'outlines/sceneDepth.glsl': ['REVERSES_FLOATS'],
   // The sum of the three numbers of HASH_STEP.

@@ -47,6 +47,7 @@ export interface ShadowMap {
   /** Depths, read through a comparison sampler; or moments of depths. */
   texture: Texture;
   hasMoments: boolean;
+  isCube: boolean;
   /** Whether larger depths are nearer. */
   isReversed: boolean;
 }
@@ -73,17 +74,6 @@ function passesMoments(moments: Value, depth: Value, isReversed: boolean): Value
 export const biased = ({ isReversed }: ShadowMap, depth: Value, bias: Value): Value =>
   isReversed ? depth.sub(bias) : depth.add(bias);
 
-/** @param at homogeneous position in the map. Outside the map all light passes. */
-export function passesFlat(map: ShadowMap, at: Value, depth: Value): Value {
-  const place = at.xy.div(at.w).toVar();
-  const fromAbove = vec2(place.x, place.y.oneMinus()).toVar();
-  const there = map.hasMoments
-    ? passesMoments((texture(map.texture, fromAbove as never) as unknown as Value).toVar(), depth, map.isReversed)
-    : compareFlat(map, fromAbove, depth);
-  const away = abs(place.sub(0.5)).toVar();
-  return select(max(away.x, away.y).greaterThan(0.5), float(1), there);
-}
-
 /**
  * The depth of a point on the face of the cube map that shows it, measured along the axis of the face. @param fromLight vector to the point
  */
@@ -94,10 +84,25 @@ export function depthOnFace({ isReversed }: ShadowMap, fromLight: Value, { near,
   return isReversed ? depth.oneMinus() : depth;
 }
 
-/** @param towards direction, of any length @param lightDistance distance of the point */
-export function passesCube(map: ShadowMap, towards: Value, lightDistance: Value, values: ShadowValues): Value {
-  const direction = normalize(towards).toVar();
-  return compareCube(map, direction, depthOnFace(map, direction.mul(lightDistance).toVar(), values));
+/**
+ * The light that passes to a point. Outside a flat map all light does.
+ *
+ * @param at homogeneous position in a flat map, or the direction in a cube, of any length
+ * @param depth of the point: in a cube its distance from the light
+ */
+export function passes(map: ShadowMap, values: ShadowValues, at: Value, depth: Value): Value {
+  if (map.isCube) {
+    const direction = normalize(at.xyz).toVar();
+    return compareCube(map, direction, depthOnFace(map, direction.mul(depth).toVar(), values));
+  }
+  const place = at.xy.div(at.w).toVar();
+  const fromAbove = vec2(place.x, place.y.oneMinus()).toVar();
+  const biasedDepth = biased(map, depth, values.bias);
+  const there = map.hasMoments
+    ? passesMoments((texture(map.texture, fromAbove as never) as unknown as Value).toVar(), biasedDepth, map.isReversed)
+    : compareFlat(map, fromAbove, biasedDepth);
+  const away = abs(place.sub(0.5)).toVar();
+  return select(max(away.x, away.y).greaterThan(0.5), float(1), there);
 }
 
 /** Counterpart of shaders/shadowMaps/steadyKernel.glsl: a tent filter with samples no more than a texel apart. */

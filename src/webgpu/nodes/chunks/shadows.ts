@@ -74,7 +74,7 @@ function mapOf(builder: NodeBuilder, { light, shadowNode }: ShadowedLight): Shad
   const hasMoments = shadowMap.type === VSMShadowMap && !('isPointLight' in light);
   const texture = hasMoments ? shadowNode.vsmShadowMapHorizontal?.texture : shadowNode.shadowMap?.depthTexture;
   return texture && !('isArrayTexture' in texture && texture.isArrayTexture)
-    ? { texture, hasMoments, isReversed: reversedDepthBuffer }
+    ? { texture, hasMoments, isCube: 'isPointLight' in light, isReversed: reversedDepthBuffer }
     : null;
 }
 

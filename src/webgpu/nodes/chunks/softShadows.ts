@@ -3,7 +3,7 @@ import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../../../look/constants/shadin
 import { hasPlace, valuesFor } from '../base/lights.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { threeNodes, tsl, type Value } from '../base/values.js';
-import { biased, passesCube, passesFlat, type ShadowMap, type ShadowValues, shadowValuesFor } from './shadowFilters.js';
+import { passes, type ShadowMap, type ShadowValues, shadowValuesFor } from './shadowFilters.js';
 
 const { abs, Break, cameraViewMatrix, cross, dot, float, If, int, length, Loop, max, min, mix, normalize } = tsl;
 const { positionView, positionWorld, select, sqrt, vec2, vec3, vec4 } = tsl;
@@ -37,37 +37,37 @@ export interface Rays {
   width: Value;
   /** Reciprocal of the distance of a lamp, 0 for a directional light. */
   nearing: Value;
-  /** Unit vector across the light, as is `up`. */
-  side: Value;
-  up: Value;
+  /** The point on the map: homogeneous on a flat one, the vector from the light on a cube. */
+  at: Value;
+  /** What a unit of distance along the central ray adds to it. */
+  towards: Value;
+  /** What units to both sides add. */
+  across: readonly [Value, Value];
+  /** Numerator and denominator of the depth at the point, and what a unit of distance adds to them. */
+  depth: readonly [Value, Value, Value, Value];
 }
 
-/** Access to a shadow map. */
-interface Asked {
-  /** The position on the map of the point at a distance along the central ray. */
-  place(distance: Value): Value;
-  /** Its derivatives to both sides. */
-  across: readonly [Value, Value];
-  /** The depth of that point. */
-  depth(distance: Value): Value;
-  /** The light that passes a depth at a position on the map. */
-  passes(place: Value, depth: Value): Value;
-}
+const depthAlong = ({ depth: [above, below, addedAbove, addedBelow] }: Rays, distance: Value): Value =>
+  above
+    .add(distance.mul(addedAbove))
+    .div(below.add(distance.mul(addedBelow)))
+    .toVar();
 
 const times = (count: number): object => ({ start: int(0), end: int(count), type: 'int', condition: '<' });
 
 /** @returns vector of the light that passes and the share of the tone that is left */
-export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, asked: Asked): Value {
-  const { place, depth, passes } = asked;
-  const [side, up] = asked.across;
+export function shadowSearch(map: ShadowMap, values: ShadowValues, rays: Rays): Value {
+  const [side, up] = rays.across;
+  const depth = (distance: Value): Value => depthAlong(rays, distance);
+  const passesAt = (place: Value, before: Value): Value => passes(map, values, place, before);
   const aside = (way: Value): Value => side.mul(way.x).add(up.mul(way.y)).toVar();
   const read = vec2(1).toVar();
   const opening = shadowSoftness.mul(0.5).toVar();
-  const texel = rays.width.div(mapSize.x).toVar();
+  const texel = rays.width.div(values.mapSize.x).toVar();
   const lift = texel.mul(LIFT).toVar();
-  const thinnest = max(radius, THINNEST).mul(texel).toVar();
-  const darkPlace = place(float(0)).toVar();
-  const middle = passes(darkPlace, depth(lift).toVar()).toVar();
+  const thinnest = max(values.radius, THINNEST).mul(texel).toVar();
+  const darkPlace = rays.at.toVar();
+  const middle = passesAt(darkPlace, depth(lift)).toVar();
   const darkest = middle.toVar();
   const lit = middle.toVar();
   // Occluders lie no farther away than the lamp. Near a lamp the cone widens fast on the map.
@@ -79,13 +79,13 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
   const way = vec2(1, 0).toVar();
   Loop(times(RINGS), () => {
     const ring = opened.div(rays.nearing.mul(opened).add(1)).toVar();
-    const centre = place(ring).toVar();
+    const centre = rays.at.add(rays.towards.mul(ring)).toVar();
     const wide = max(opening.mul(ring), thinnest).toVar();
     const offset = aside(way.mul(wide).toVar());
     const across = aside(vec2(way.y.negate(), way.x).mul(wide).toVar());
-    const before = depth(max(ring.mul(WITHIN), lift).toVar()).toVar();
+    const before = depth(max(ring.mul(WITHIN), lift).toVar());
     const places = [centre.add(offset), centre.sub(offset), centre.add(across), centre.sub(across)];
-    const [a, b, c, d] = places.map((there) => passes(there.toVar(), before).toVar());
+    const [a, b, c, d] = places.map((there) => passesAt(there.toVar(), before).toVar());
     lit.addAssign(dot(vec4(a, b, c, d), vec4(1)));
     const darker = min(min(a, c), min(b, d)).toVar();
     If(darker.lessThan(darkest.sub(1e-3)), () => {
@@ -103,7 +103,7 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
     const span = farthest.mul(0.5).toVar();
     Loop(times(HALVINGS), () => {
       const reached = max(caster.add(span), lift).toVar();
-      If(passes(darkPlace, depth(reached).toVar()).lessThan(most), () => {
+      If(passesAt(darkPlace, depth(reached)).lessThan(most), () => {
         caster.addAssign(span);
       });
       span.mulAssign(0.5);
@@ -117,7 +117,7 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
       // Samples all over the cone in a sunflower pattern, outermost first. Occluders nearer than the one found hide the lamp too.
       caster.addAssign(span);
       const edge = max(opening.mul(caster), thinnest).toVar();
-      const centre = place(caster).toVar();
+      const centre = rays.at.add(rays.towards.mul(caster)).toVar();
       const open = float(0).toVar();
       Loop(times(EDGE_SAMPLES), ({ i }) => {
         // A rim as dark as the middle means no edge.
@@ -127,7 +127,7 @@ export function shadowSearch(rays: Rays, { mapSize, radius }: ShadowValues, aske
         });
         const outward = sqrt(float(EDGE_SAMPLES).sub(float(i)).sub(0.5).div(EDGE_SAMPLES)).toVar();
         const there = centre.add(aside(way.mul(edge.mul(outward)).toVar())).toVar();
-        open.addAssign(passes(there, depth(max(outward.mul(WITHIN).mul(caster), lift).toVar()).toVar()));
+        open.addAssign(passesAt(there, depth(max(outward.mul(WITHIN).mul(caster), lift).toVar())));
         const { x, y } = way;
         const turned = vec2(x.mul(SEED_COSINE).sub(y.mul(SEED_SINE)), x.mul(SEED_SINE).add(y.mul(SEED_COSINE)));
         way.assign(turned);
@@ -150,12 +150,14 @@ export const shadowTone: Value = /* @__PURE__ */ hatchingUniform('shadowTone', '
 export const shadowLeft = (taken: Value, lost: Value): Value =>
   select(taken.greaterThan(0), lost.div(max(taken, 1e-20)).oneMinus(), float(1));
 
-function raysTo(toLight: Value, width: Value, nearing: Value): Rays {
+/** Unit vectors across the light, to both sides. */
+function besides(toLight: Value): readonly [Value, Value] {
   const upright = select(abs(toLight.y).lessThan(OVERHEAD), vec3(0, 1, 0), vec3(1, 0, 0));
   const side = normalize(cross(toLight, upright)).toVar();
-  const farthest = width.div(max(shadowFade, 1 / FARTHEST_CASTER)).toVar();
-  return { farthest, width, nearing, side, up: cross(toLight, side).toVar() };
+  return [side, cross(toLight, side).toVar()];
 }
+
+const farthestCaster = (width: Value): Value => width.div(max(shadowFade, 1 / FARTHEST_CASTER)).toVar();
 
 /** Transforms a direction from view to world space. */
 const inWorld = (direction: Value): Value => vec4(direction, 0).mul(cameraViewMatrix).xyz.toVar();
@@ -171,12 +173,15 @@ function flatShadow(map: ShadowMap, matrix: Value, toLight: Value, values: Shado
     const [row, lastRow] = (['x', 'w'] as const).map((c) => vec3(...[0, 1, 2].map((i) => matrix.element(i)[c])));
     const towards = matrix.mul(vec4(toLight, 0)).toVar();
     const width = at.w.div(length(row.sub(lastRow.mul(0.5)))).toVar();
-    const rays = raysTo(toLight, width, max(towards.w.negate().div(at.w), 0).toVar());
-    const found = shadowSearch(rays, values, {
-      place: (distance) => at.add(towards.mul(distance)),
-      across: [matrix.mul(vec4(rays.side, 0)).toVar(), matrix.mul(vec4(rays.up, 0)).toVar()],
-      depth: (distance) => at.z.add(towards.z.mul(distance)).div(at.w.add(towards.w.mul(distance))),
-      passes: (place, depth) => passesFlat(map, place, biased(map, depth, values.bias)),
+    const [side, up] = besides(toLight).map((way) => matrix.mul(vec4(way, 0)).toVar());
+    const found = shadowSearch(map, values, {
+      farthest: farthestCaster(width),
+      width,
+      nearing: max(towards.w.negate().div(at.w), 0).toVar(),
+      at,
+      towards,
+      across: [side, up],
+      depth: [at.z, at.w, towards.z, towards.w],
     });
     read.assign(found);
   });
@@ -189,12 +194,14 @@ function cubeShadow(map: ShadowMap, fromLight: Value, values: ShadowValues): Val
   const lightDistance = length(fromLight).toVar();
   const toLight = fromLight.div(lightDistance).negate().toVar();
   const width = max(max(size.x, size.y), size.z).mul(2).toVar();
-  const rays = raysTo(toLight, width, float(1).div(lightDistance).toVar());
-  return shadowSearch(rays, values, {
-    place: (distance) => fromLight.add(toLight.mul(distance)),
-    across: [rays.side, rays.up],
-    depth: (distance) => lightDistance.sub(distance),
-    passes: (place, distance) => passesCube(map, place, distance, values),
+  return shadowSearch(map, values, {
+    farthest: farthestCaster(width),
+    width,
+    nearing: float(1).div(lightDistance).toVar(),
+    at: fromLight,
+    towards: toLight,
+    across: besides(toLight),
+    depth: [lightDistance, float(1), float(-1), float(0)],
   });
 }
 
@@ -215,10 +222,9 @@ export function readSoftShadow(
   const shadow = float(1).toVar();
   If(max(shadowFade, shadowSoftness).greaterThan(0), () => {
     const matrix = lightShadowMatrix(light as never) as unknown as Value;
-    const found =
-      'isPointLight' in light
-        ? cubeShadow(map, inWorld(way.negate()), values)
-        : flatShadow(map, matrix, inWorld(normalize(way)), values);
+    const found = map.isCube
+      ? cubeShadow(map, inWorld(way.negate()), values)
+      : flatShadow(map, matrix, inWorld(normalize(way)), values);
     read.assign(found);
   });
   If(shadowSoftness.greaterThan(0), () => {

@@ -6,7 +6,7 @@ import { backgroundShaders } from '../../../../src/material/HatchingBackground.j
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
 import { hatchingShaders, plainShaders, type Shaders } from '../../../../src/material/shaders/hatchingShaders.js';
-import { environmentLayout } from '../../../../src/material/shaders/shaderConventions.js';
+import { environmentLayout } from '../../../../src/material/three/environments.js';
 
 const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
 const media = ['ink', 'dry', 'stipple'] as const;

@@ -16,10 +16,8 @@ describe('resolveIncludes', () => {
     expect(resolveIncludes('#include "money"', { money: "$& $1 $'" })).toBe("$& $1 $'");
   });
 
-  test('a missing chunk names itself and what there is', () => {
-    expect(() => resolveIncludes('#include "nothing"', { something: '' })).toThrow(
-      'resolveIncludes: there is no shader chunk "nothing"; known are something.',
-    );
+  test('a missing chunk is named', () => {
+    expect(() => resolveIncludes('#include "nothing"', { something: '' })).toThrow('no shader chunk "nothing"');
   });
 
   test('a name may have a folder', () => {
@@ -31,11 +29,9 @@ describe('resolveIncludes', () => {
     expect(() => resolveIncludes('#include "toString"', {})).toThrow('no shader chunk "toString"');
   });
 
-  test('a chunk that includes itself says by which way', () => {
+  test('a chunk that includes itself is named, by whatever way it does', () => {
     const chunks = { a: '#include "b"', b: '#include "a"' };
-    expect(() => resolveIncludes('#include "a"', chunks)).toThrow(
-      'resolveIncludes: the shader chunk "a" includes itself, by way of a, b.',
-    );
+    expect(() => resolveIncludes('#include "a"', chunks)).toThrow('"a", or it includes itself');
   });
 
   test('the same chunk twice is no circle', () => {

@@ -1,6 +1,6 @@
 import { ShaderMaterial, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
-import { MeshUniforms } from '../../../src/material/MeshUniforms.js';
+import { MeshUniforms } from '../../../../src/material/three/MeshUniforms.js';
 
 interface Kept {
   uniformsList: { id: string }[] | null;

@@ -1,8 +1,7 @@
 import { type Material, MeshBasicMaterial, Texture, type WebGLRenderer } from 'three';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import { keepHooks } from '../../../src/material/keepHooks.js';
-import type { ProgramParameters } from '../../../src/material/programDefines.js';
+import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { isRigid, keepHooks, type ProgramParameters } from '../../../../src/material/three/hooks.js';
 
 // Materials are read in the same task in which they are created.
 await HatchingMaterial.preload();
@@ -173,5 +172,17 @@ describe("the material's own part", () => {
     expect(material.defines).toMatchObject({ MAP_CHANNEL: 'vUv', USE_UV0: '' });
     const skinned = compiled(material, { skinning: true })[1];
     expect(skinned.vertexShader + skinned.fragmentShader).not.toContain(RIGID);
+  });
+});
+
+describe('isRigid', () => {
+  const none = { skinning: false, instancing: false, batching: false, morphTargets: false, morphNormals: false };
+
+  test('holds if vertices move only with their object', () => {
+    expect(isRigid(none as ProgramParameters)).toBe(true);
+  });
+
+  test.each(Object.keys(none))('does not hold with %s', (name) => {
+    expect(isRigid({ ...none, [name]: true } as ProgramParameters)).toBe(false);
   });
 });

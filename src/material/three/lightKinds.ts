@@ -1,4 +1,6 @@
+/** Known in three.js 0.170 to 0.187: the structs, counts and functions of its lights, and the loops that it unrolls. */
 import { ShaderChunk } from 'three';
+import { expectChunk } from './chunks.js';
 
 /** A kind of light of three.js. */
 interface LightKind {
@@ -7,81 +9,62 @@ interface LightKind {
    * `getPointLightInfo`.
    */
   name: string;
-  /** The macro for the number of such lights, which three.js replaces by the number. */
-  count: string;
+  /** The name in macros for numbers, which three.js replaces: `DIR` for `NUM_DIR_LIGHTS` and `NUM_DIR_LIGHT_SHADOWS`. */
+  key: string;
   /**
    * Where they shine from, which decides the members of their struct: `direction` and `color` for distant lights; `position`, `color`,
    * `distance` and `decay` for lights at a place. A `sky` is three's hemisphere light, which shines from all around.
    */
   from: 'afar' | 'place' | 'sky';
-  /** The call of three's function for the share of such a light that passes its shadow map. */
-  shadow?: string;
-  /** Its shadow maps, if they are flat or cubes; those of a sun are cascades. */
-  maps?: FlatMaps | CubeMaps;
-}
-
-/** Shadow maps of a kind of light, as three's chunks have them. */
-interface CubeMaps {
-  /** The macro for the number of lights that cast shadows. They are the first of their kind. */
-  count: string;
-}
-
-interface FlatMaps extends CubeMaps {
   /**
-   * The uniform of the matrices from world space to the shadow maps, which three.js declares in the vertex shader, and the number of
-   * them.
+   * Of flat shadow maps: the uniform of the matrices from world space to them, which three.js declares in the vertex shader, and the
+   * macro for their number. Other lights at a place have cubes, and those of a sun are cascades.
    */
-  matrix: string;
-  matrices: string;
+  matrices?: readonly [uniform: string, count: string];
 }
-
-const SHADOW = 'getShadow(map, size, intensity, bias, radius, at)';
-const CUBE_SHADOW = 'getPointShadow(map, size, intensity, bias, radius, at, near, far)';
 
 /**
  * Every kind of light that the library's shaders evaluate, in the order of three's `lights_fragment_begin`. A new kind is a row here:
  * no file of shaders/ names any of them.
  */
 const LIGHT_KINDS: readonly LightKind[] = [
-  {
-    name: 'Point',
-    count: 'NUM_POINT_LIGHTS',
-    from: 'place',
-    shadow: CUBE_SHADOW,
-    maps: { count: 'NUM_POINT_LIGHT_SHADOWS' },
-  },
-  {
-    name: 'Spot',
-    count: 'NUM_SPOT_LIGHTS',
-    from: 'place',
-    shadow: SHADOW,
-    maps: {
-      count: 'NUM_SPOT_LIGHT_SHADOWS',
-      matrix: 'spotLightMatrix',
-      matrices: 'NUM_SPOT_LIGHT_COORDS',
-    },
-  },
-  { name: 'Sun', count: 'NUM_SUN_LIGHTS', from: 'afar', shadow: 'getSunShadow(map, light, index)' },
-  {
-    name: 'Directional',
-    count: 'NUM_DIR_LIGHTS',
-    from: 'afar',
-    shadow: SHADOW,
-    maps: {
-      count: 'NUM_DIR_LIGHT_SHADOWS',
-      matrix: 'directionalShadowMatrix',
-      matrices: 'NUM_DIR_LIGHT_SHADOWS',
-    },
-  },
-  { name: 'Hemisphere', count: 'NUM_HEMI_LIGHTS', from: 'sky' },
+  { name: 'Point', key: 'POINT', from: 'place' },
+  { name: 'Spot', key: 'SPOT', from: 'place', matrices: ['spotLightMatrix', 'NUM_SPOT_LIGHT_COORDS'] },
+  { name: 'Sun', key: 'SUN', from: 'afar' },
+  { name: 'Directional', key: 'DIR', from: 'afar', matrices: ['directionalShadowMatrix', 'NUM_DIR_LIGHT_SHADOWS'] },
+  { name: 'Hemisphere', key: 'HEMI', from: 'sky' },
 ];
 
+/** The macro for the number of lights of a kind. */
+const countOf = ({ key }: LightKind): string => `NUM_${key}_LIGHTS`;
+
 /** The kinds that the installed three.js supports. The names of others would not be replaced, and would not compile. */
-const knownKinds = (): LightKind[] => LIGHT_KINDS.filter(({ count }) => ShaderChunk.lights_pars_begin.includes(count));
+function knownKinds(): LightKind[] {
+  const { lights_pars_begin: chunk } = ShaderChunk;
+  const kinds = LIGHT_KINDS.filter(
+    (kind) => chunk.includes(countOf(kind)) && (kind.from === 'sky' || chunk.includes(`get${kind.name}LightInfo(`)),
+  );
+  // Versions before 0.187 have no sun.
+  expectChunk('lights_pars_begin', kinds.length > 3 + Number(chunk.includes('SUN_LIGHTS')));
+  return kinds;
+}
+
+/** Macros around the functions by which three.js reads shadow maps, so that each result goes through `separateShadow`. */
+function shadowMacros(): string {
+  const calls = ShaderChunk.lights_fragment_begin.matchAll(/\b(get\w*Shadow)\(([^()]*)\)/g);
+  const macros = new Map<string, string>();
+  for (const [, name, given] of calls) {
+    // A macro does not expand within itself, so that the wrapped function can have its own name.
+    const call = `${name}(${given.split(',').map((_, i) => `p${i}`)})`;
+    macros.set(name, `#define ${call} separateShadow(KNOWN_SHADOW(${call}))\n`);
+  }
+  expectChunk('lights_fragment_begin', macros.size > 1);
+  return [...macros.values()].join('');
+}
 
 /** Defines for the number of lights that have a direction, which are all but skies, and of those at a place. */
 export function lightCountDefines(): string {
-  const sum = (kinds: LightKind[]): string => `(${kinds.map(({ count }) => count).join(' + ')})`;
+  const sum = (kinds: LightKind[]): string => `(${kinds.map(countOf).join(' + ')})`;
   const known = knownKinds();
   return [
     `#define LIGHTS_WITH_DIRECTION ${sum(known.filter(({ from }) => from !== 'sky'))}`,
@@ -112,10 +95,7 @@ export function lightChunks(): Record<string, string> {
     eachDistantLight: walk('afar') + end,
     eachPositionalLight: walk('place') + end,
     eachSky: walk('sky') + end,
-    // A macro does not expand within itself, so that the wrapped function can have its own name.
-    lightShadows: kinds
-      .map(({ shadow }) => (shadow ? `#define ${shadow} separateShadow(KNOWN_SHADOW(${shadow}))\n` : ''))
-      .join(''),
+    lightShadows: shadowMacros(),
   };
 }
 
@@ -132,19 +112,19 @@ export function shadowChunks(): Record<string, string> {
   const flat: string[] = [];
   const cubes: string[] = [];
   const matrices: string[] = [];
-  for (const [i, { name, from, maps }] of kinds.entries()) {
-    if (!maps) continue;
-    const { count } = maps;
+  for (const [i, { name, key, from, matrices: ofKind }] of kinds.entries()) {
+    // Lights that cast shadows are the first of their kind.
+    const count = `NUM_${key}_LIGHT_SHADOWS`;
     const lower = name.toLowerCase();
     const map = `${lower}ShadowMap[i]`;
     const shadow = `${lower}LightShadows[i]`;
     const number = numberAfter(kinds.slice(0, i));
-    if ('matrix' in maps) {
-      const { matrix, matrices: most } = maps;
+    if (ofKind) {
+      const [matrix, most] = ofKind;
       matrices.push(`#if ${count} > 0\nuniform mat4 ${matrix}[${most}];\n#endif\n`);
       const visit = `${readLight(name, from)}\nVISIT_SHADOW(${number}, ${map}, ${matrix}[i], ${shadow})`;
       flat.push(unrolled(count, visit));
-    } else {
+    } else if (from === 'place') {
       const fromLight = `viewPosition - ${lower}Lights[i].position`;
       cubes.push(unrolled(count, `VISIT_SHADOW(${number}, ${map}, ${fromLight}, ${shadow})`));
     }
@@ -157,14 +137,15 @@ export function shadowChunks(): Record<string, string> {
   };
 }
 
-function loopOver({ name, count, from }: LightKind, before: readonly LightKind[], writesLight: boolean): string {
+function loopOver(kind: LightKind, before: readonly LightKind[], writesLight: boolean): string {
+  const { name, from } = kind;
   const visit = `VISIT_LIGHT(${name.toLowerCase()}Lights[i], ${numberAfter(before)})`;
-  return unrolled(count, `${writesLight ? readLight(name, from) : ''}\n${visit}`);
+  return unrolled(countOf(kind), `${writesLight ? readLight(name, from) : ''}\n${visit}`);
 }
 
 /** The index of a light among all that have a direction. */
 const numberAfter = (before: readonly LightKind[]): string =>
-  [...before.map((kind) => kind.count), 'UNROLLED_LOOP_INDEX'].join(' + ');
+  [...before.map(countOf), 'UNROLLED_LOOP_INDEX'].join(' + ');
 
 /** Writes the light that arrives from a source into `light`. */
 const readLight = (name: string, from: LightKind['from']): string =>

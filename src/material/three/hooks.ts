@@ -1,4 +1,6 @@
-import type { Material } from 'three';
+/** Known in three.js 0.170 to 0.187: the order in which renderers call the hooks of a material, and what they pass. */
+import type { Material, WebGLProgramParametersWithUniforms } from 'three';
+import { warnOfRenderer } from '../warnOfRenderer.js';
 
 type Hooks = Pick<Material, 'onBeforeRender' | 'onBeforeCompile' | 'customProgramCacheKey'>;
 // Arguments and results are only passed on, so any type will do.
@@ -38,4 +40,44 @@ function withPart(material: Material, part: Hook, set: Hook | null | undefined):
   hook.toString = () => String(set);
   userHooks.set(hook, set);
   return hook;
+}
+
+/**
+ * Finds out whether a material is drawn by another renderer than WebGLRenderer, and warns of it. These are its states:
+ *
+ * | state | the renderer has called | next |
+ * | --- | --- | --- |
+ * | `'new'` | nothing | `'asked'` or `'webgl'` |
+ * | `'asked'` | `customProgramCacheKey`, as every renderer does | `'webgl'` in the same task, or else a warning |
+ * | `'webgl'` | `onBeforeCompile` or `onBeforeRender`, which WebGPURenderer does not call | none |
+ */
+export class RendererKind {
+  state: 'new' | 'asked' | 'webgl' = 'new';
+
+  /** To be called with `customProgramCacheKey`. */
+  ask(what: string): void {
+    if (this.state !== 'new') return;
+    this.state = 'asked';
+    queueMicrotask(() => {
+      if (this.state === 'asked') warnOfRenderer(what);
+    });
+  }
+}
+
+/** The parameters of a program that three.js passes to `onBeforeCompile`. */
+export type ProgramParameters = WebGLProgramParametersWithUniforms;
+
+/** The define for shaders of a mesh that neither deforms nor has instances. */
+const RIGID = '#define RIGID\n';
+
+/** Whether the vertices of a program's meshes move only with their object. three.js defines these facts in the vertex shader alone. */
+export function isRigid({ skinning, instancing, batching, morphTargets, morphNormals }: ProgramParameters): boolean {
+  return !(skinning || instancing || batching || morphTargets || morphNormals);
+}
+
+/** Defines `RIGID` in both shaders of a rigid program. It may run twice, since a user's hook may call the material's. */
+export function defineRigid(shader: ProgramParameters): void {
+  if (!isRigid(shader) || shader.vertexShader.includes(RIGID)) return;
+  shader.vertexShader = `${RIGID}${shader.vertexShader}`;
+  shader.fragmentShader = `${RIGID}${shader.fragmentShader}`;
 }
