@@ -3,8 +3,8 @@ import { errorMessage } from '../../viewer/files/common/ModelError.js';
 import { PRESET_LABELS, PRESET_NAMES } from '../../viewer/settings/presetLabels.js';
 import { presetOf, wholeLook } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
+import { page } from '../page/page.js';
 import type { SettingGroup } from '../../viewer/settings/table/rows.js';
-import { drawnView, page } from '../page/page.js';
 import type { SavedLooks } from '../savedLooks/SavedLooks.js';
 import type { RendererChoice } from '../session/RendererChoice.js';
 import type { Session } from '../session/Session.js';
@@ -60,10 +60,7 @@ export class Card {
     const { viewport, settings } = session;
     const presets = new PresetBar(page.presets, settings, (name) => session.useLook(wholeLook(name)));
     this.savedLooks = parts.later(async () => {
-      const [{ SavedLooks }, { ModelVariants }] = await Promise.all([
-        import('../savedLooks/SavedLooks.js'),
-        import('../savedLooks/SavedLooks.js'),
-      ]);
+      const { ModelVariants, SavedLooks } = await import('../savedLooks/SavedLooks.js');
       const variants = new ModelVariants(session.modelLoader);
       return new SavedLooks(viewport, settings, session.views, variants, (look) => session.useLook(look));
     });
@@ -77,37 +74,27 @@ export class Card {
     void Promise.all([import('./SettingsPanel.js'), createActions(), this.savedLooks.fetch()])
       .then(
         ([{ SettingsPanel }, actions]) => {
-          const onChange = session.settingChanged.bind(session);
-          // The value `file` is set by opening files, not chosen here.
-          const hasOwn = (value: string) => value === 'ownHand' && session.mapLoader.hand?.hand !== undefined;
-          const folded = (group: SettingGroup, isOpen: boolean): void => {
-            onFold(group, isOpen);
-            if (group === 'More' && isOpen) void renderers.ask().then(() => this.panel?.refresh());
-          };
           this.panel = new SettingsPanel(
-            ...([
-              page.panel,
-              settings,
-              actions,
-              onChange,
-              () => drawnView(viewport),
-              folded,
-              hasOwn,
-              renderers,
-            ] as const),
+            session,
+            actions,
+            (group, isOpen) => {
+              onFold(group, isOpen);
+              if (group === 'More' && isOpen) void renderers.ask().then(() => this.panel?.refresh());
+            },
+            renderers,
           );
         },
         (error) => status.fail(`The settings could not be fetched: ${errorMessage(error)}.`),
       )
       .finally(() => page.panel.removeAttribute('aria-busy'));
-    const refreshShelf = (): void => this.savedLooks.present?.refresh();
+    const refreshSaved = (): void => this.savedLooks.present?.refresh();
     session.listen({
       applied: () => {
         this.panel?.refresh();
         presets.refresh();
-        refreshShelf();
+        refreshSaved();
       },
-      moved: refreshShelf,
+      moved: refreshSaved,
       modelShown: () => this.showMotion(),
     });
     viewport.frames.onFrame(() => this.motion.present?.update());

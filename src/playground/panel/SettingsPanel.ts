@@ -1,7 +1,7 @@
 import { type Controller, GUI } from 'lil-gui';
 import { hasEffect, isChoiceKnown, presentUnit } from '../../viewer/settings/effects.js';
 import { LIGHT_LOOKS } from '../../viewer/settings/lightLooks.js';
-import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../viewer/settings/settings.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey } from '../../viewer/settings/settings.js';
 import { looksOf, savedFormat } from '../../viewer/settings/settingValues.js';
 import {
   type NumberSetting,
@@ -13,7 +13,8 @@ import { withBoldnessAndDensity } from '../../viewer/settings/withBoldnessAndDen
 import type { Dialogs } from '../dialogs/Dialogs.js';
 import type { Exports } from '../export/Exports.js';
 import { findElement } from '../page/elements.js';
-import { type DrawnView, millimetresPerPixel } from '../print/printPlan.js';
+import { drawnView, page } from '../page/page.js';
+import { millimetresPerPixel } from '../print/printPlan.js';
 import type { Session } from '../session/Session.js';
 import type { LaterParts } from '../tasks/LaterParts.js';
 
@@ -41,19 +42,17 @@ export class SettingsPanel {
   /** Notes with the widths of strokes and lines in print. */
   private readonly printNotes = { strokeWidth: note(''), outlineWidth: note('') };
 
+  /**
+   * @param onFold called when a group is unfolded or folded
+   * @param renderers whether renderers can be chosen, and a note on the choice
+   */
   constructor(
-    container: HTMLElement,
-    private readonly settings: Settings,
+    private readonly session: Session,
     actions: readonly PanelAction[],
-    onChange: (key: SettingKey) => void,
-    private readonly drawnView: () => DrawnView,
-    /** Called when a group is unfolded or folded. */
     onFold: (group: SettingGroup, isOpen: boolean) => void,
-    /** Whether the user has a hand or a map that can be chosen. */
-    private readonly hasOwn: (value: OwnChoice) => boolean,
-    /** Whether renderers can be chosen, and a note on the choice. */
     private readonly renderers: { readonly isOffered: boolean; readonly note: string },
   ) {
+    const { panel: container } = page;
     // Uses the page's style sheet, because the Content-Security-Policy forbids style elements.
     const gui = new GUI({ container, injectStyles: false, title: 'Settings' });
     const folders = SETTING_GROUPS.map((group, i) => {
@@ -79,7 +78,7 @@ export class SettingsPanel {
       const controller = this.add(folderOf.get(SETTINGS[key].group)!, key);
       controller.onChange(() => {
         this.refresh();
-        onChange(key);
+        session.settingChanged(key);
       });
       this.controllers.set(key, controller);
     }
@@ -98,7 +97,7 @@ export class SettingsPanel {
   refresh(): void {
     for (const controller of this.controllers.values()) controller.updateDisplay();
     for (const name of this.changingLabels) name();
-    const { settings } = this;
+    const { settings } = this.session;
     const looks = looksOf(settings);
     for (const [key, controller] of this.controllers) {
       const isUsed = hasEffect(key, settings, looks) && (key !== 'renderer' || this.renderers.isOffered);
@@ -129,8 +128,8 @@ export class SettingsPanel {
 
   /** Shows the widths of strokes and lines in print. */
   private notePrintedWidths(): void {
-    const { settings } = this;
-    const millimetres = millimetresPerPixel(settings, this.drawnView());
+    const { settings, viewport } = this.session;
+    const millimetres = millimetresPerPixel(settings, drawnView(viewport));
     const drawn = withBoldnessAndDensity(settings);
     const where = hasEffect('pictureDpi', settings) ? 'on the sheet' : 'in print, 300 dpi';
     for (const key of PRINTED) {
@@ -138,9 +137,14 @@ export class SettingsPanel {
     }
   }
 
+  /** Whether the user has a hand that can be chosen. The value `file` is set by opening files, not chosen here. */
+  private hasOwn(value: OwnChoice): boolean {
+    return value === 'ownHand' && this.session.mapLoader.hand?.hand !== undefined;
+  }
+
   private add(gui: GUI, key: SettingKey): Controller {
     const setting: Setting = SETTINGS[key];
-    const { settings } = this;
+    const { settings } = this.session;
     switch (setting.kind) {
       case 'choice': {
         const choices = Object.fromEntries(Object.entries(setting.choices).map(([value, words]) => [words, value]));

@@ -1,11 +1,72 @@
-import { type WebGLInfo, WebGLRenderer } from 'three';
+import { MathUtils, type WebGLInfo, WebGLRenderer } from 'three';
 import { type SheetPart, WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
 import { createCamera } from '../../viewer/sceneSetup/LensCamera.js';
 import type { ShadowQuality } from '../../viewer/sceneSetup/LightRig.js';
 import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
 import type { Look } from '../../viewer/settings/lookOf.js';
 import type { Scenery } from './Scenery.js';
-import { SideBySide, sidesOf, type Tile } from './SideBySide.js';
+
+/** The sides of a comparison: the technique of the settings, and the compared one. */
+type Side = 'drawn' | 'compared';
+
+/** The part of a picture that fills the canvas, in device pixels. */
+interface Tile {
+  viewWidth: number;
+  x: number;
+  width: number;
+  height: number;
+  /** Whether only the technique of the settings is drawn, even during a comparison. */
+  isUndivided?: boolean;
+}
+
+/**
+ * Pixels drawn beyond the edge of a part that continues: outlines examine their surroundings. Wide accents of large prints look no farther
+ * than this.
+ */
+export const MARGIN = 64;
+
+/** The sides that a look draws. */
+const sidesOf = ({ compared }: Look): Side[] => (compared ? ['drawn', 'compared'] : ['drawn']);
+
+/** Draws one technique, or two side by side, with the compared one left of a divider. */
+class SideBySide {
+  /** Returns the position of the divider in every frame, as a share of the width; undefined without a comparison. */
+  divider: (() => number) | undefined;
+
+  /**
+   * @param use selects the materials of a side for the next rendering
+   * @param render draws with them
+   */
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly use: (side: Side) => void,
+    private readonly render: () => void,
+  ) {}
+
+  /**
+   * Draws one tile of a picture that is `viewWidth` wide. The tile begins `x` pixels from the left and fills the canvas. An ordinary frame
+   * is one tile.
+   */
+  drawTile({ viewWidth, x, width, height, isUndivided = false }: Tile): void {
+    const { renderer } = this;
+    const share = isUndivided ? undefined : this.divider?.();
+    this.use('drawn');
+    if (share === undefined) {
+      this.render();
+      return;
+    }
+    const split = MathUtils.clamp(Math.round(share * viewWidth) - x, 0, width);
+    renderer.setScissorTest(true);
+    // The part beyond the divider is overdrawn by the other side.
+    const from = Math.max(0, split - MARGIN);
+    renderer.setScissor(from, 0, width - from, height);
+    if (split < width) this.render();
+    this.use('compared');
+    renderer.setScissor(0, 0, split, height);
+    if (split > 0) this.render();
+    renderer.setScissorTest(false);
+  }
+}
 
 const POLL_MILLISECONDS = 10;
 

@@ -3,7 +3,7 @@ import { meshesOf } from '../../viewer/drawing/meshesOf.js';
 import type { Layer } from '../../viewer/sceneSetup/layers.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { LostContextError } from './ContextLoss.js';
-import { MARGIN } from './SideBySide.js';
+import { MARGIN } from './Painter.js';
 import type { Viewport } from './Viewport.js';
 
 /** The longer side, in pixels, from which a picture counts as larger than a screen. */
