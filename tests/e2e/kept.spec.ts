@@ -5,9 +5,11 @@ import { strFromU8, strToU8, unzipSync, zipSync } from 'three/addons/libs/fflate
 import { drop, middleOf, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import { file, octahedronPly } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
+import { cases } from '../selection.mjs';
 import { changedShare, meanInk } from './pictures.js';
 
-test.use({ viewport: { width: 840, height: 360 } });
+// Half of the pixels in each direction: what is kept does not depend on them.
+test.use({ viewport: { width: 840, height: 360 }, deviceScaleFactor: 0.5 });
 
 const LINK = 'model=cube&mapSize=64&mapTones=4&outlines=off';
 const octahedron = file('octahedron.ply', octahedronPly);
@@ -41,16 +43,12 @@ async function thumbnailIn(element: Locator): Promise<PNG> {
   return PNG.sync.read(await image.screenshot());
 }
 
-test("one's own model, its settings and the view survive a reload, Back and a closed page, until they are forgotten", async ({
-  page,
-  context,
-  pageProblems,
-}) => {
-  const name = page.locator('#model-name');
+/** Drops a model of one's own, changes its settings and its view, and waits until they are kept. Returns the named view `Near` and the last one, as drawn. */
+async function keepOctahedron(page: Page): Promise<{ near: PNG; before: PNG }> {
   await openPlayground(page, LINK);
   await expect(page.locator('#open-recent')).toBeHidden();
   await drop(page, [octahedron]);
-  await expect(name).toHaveText('octahedron.ply');
+  await expect(page.locator('#model-name')).toHaveText('octahedron.ply');
   await page.locator('#lamp').press('ArrowLeft');
   await page.locator('#drawing').press('ArrowLeft');
   await page.locator('#drawing').press('+');
@@ -67,7 +65,12 @@ test("one's own model, its settings and the view survive a reload, Back and a cl
   await kept(page);
   const before = await readDrawing(page);
   expect(changedShare(before, near)).toBeGreaterThan(0.005);
+  return { near, before };
+}
 
+test("one's own model, its settings and the view survive a reload and Back", async ({ page }) => {
+  const name = page.locator('#model-name');
+  const { before } = await keepOctahedron(page);
   await page.reload();
   await expect(name).toHaveText('octahedron.ply');
   expect(changedShare(before, await readDrawing(page))).toBe(0);
@@ -79,6 +82,12 @@ test("one's own model, its settings and the view survive a reload, Back and a cl
   await page.goBack();
   await expect(name).toHaveText('octahedron.ply');
   expect(changedShare(before, await readDrawing(page))).toBe(0);
+});
+
+test("one's own model, its settings and the view survive a closed page, until they are forgotten", {
+  tag: '@all',
+}, async ({ page, context, pageProblems }) => {
+  const { near, before } = await keepOctahedron(page);
   await page.close();
 
   const later = await context.newPage();
@@ -270,7 +279,9 @@ test('a model is saved with its look, its view and its light, and is the same dr
   expect(page.url()).not.toMatch(/evil|nonsense|url|camera|view|proto/);
 });
 
-test('Undo and Redo take back settings, the model, the view and the light, by buttons and keys', async ({ page }) => {
+test('Undo and Redo take back settings, the model, the view and the light, by buttons and keys', {
+  tag: '@more',
+}, async ({ page }) => {
   await openPlayground(page, LINK);
   const name = page.locator('#model-name');
   const pictures = [await readDrawing(page)];
@@ -280,17 +291,19 @@ test('Undo and Redo take back settings, the model, the view and the light, by bu
     expect(changedShare(pictures.at(-2)!, pictures.at(-1)!)).toBeGreaterThan(0.002);
   };
   const { x, y } = await middleOf(page, '#viewport');
-  await after(async () => {
+  const drag = async () => {
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + 40, y, { steps: 4 });
     await page.mouse.up();
-  });
-  await after(() => page.locator('#lamp').press('ArrowLeft'));
-  await after(() => drop(page, [octahedron]).then(() => expect(name).toHaveText('octahedron.ply')));
-  await after(() => page.locator('#drawing').press('+'));
-  await after(() => page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Sphere'));
-  await after(() => page.getByRole('button', { name: 'Stipple' }).click());
+  };
+  const dropped = () => drop(page, [octahedron]).then(() => expect(name).toHaveText('octahedron.ply'));
+  const light = () => page.locator('#lamp').press('ArrowLeft');
+  const nearer = () => page.locator('#drawing').press('+');
+  const sphere = () => page.getByRole('combobox', { name: 'Model', exact: true }).selectOption('Sphere');
+  const stipple = () => page.getByRole('button', { name: 'Stipple' }).click();
+  for (const change of cases([drag, light, dropped, stipple], [drag, light, dropped, nearer, sphere, stipple]))
+    await after(change);
 
   const [undo, redo] = [page.getByRole('button', { name: 'Undo' }), page.getByRole('button', { name: 'Redo' })];
   await expect(redo).toBeDisabled();

@@ -18,10 +18,11 @@ const MOST_MEAN = 1.5;
 const heading = () =>
   `| | | ${techniques.map((one) => `\`${one}\``).join(' | ')} |\n| --- | --- |${techniques.map(() => ' --- |').join('')}\n`;
 
-/** The techniques that a feature is drawn with. In `npm test`, and with other versions of three.js, they take turns. */
+/** The techniques that a feature is drawn with. They take turns in `npm test`, which draws half of the features, and with other versions of three.js. */
 const techniquesOf = (feature: number, three: string | undefined): readonly (typeof techniques)[number][] => {
   const turn = [techniques[feature % techniques.length]];
-  return three === undefined ? cases(turn, techniques) : turn;
+  const isLeftOut = Math.floor(feature / techniques.length) % 2 > 0;
+  return three === undefined ? cases(isLeftOut ? [] : turn, techniques) : turn;
 };
 
 test('every feature with every technique is as light as Lambert, and the table in the docs has them all', {
@@ -36,10 +37,10 @@ test('every feature with every technique is as light as Lambert, and the table i
     // Lambert materials of older versions of three.js are not lit by an environment. `npm test` tries a third of the others with the oldest.
     if (three !== undefined && (feature.name === '`scene.environment`' || cases(number % 3 > 0, false))) continue;
     const drawn = techniquesOf(number, three);
-    const measured = await page.evaluate(([name, all]) => window.besideLambert.measure(name, all), [
-      feature.name,
-      drawn,
-    ] as const);
+    const measured =
+      drawn.length === 0
+        ? []
+        : await page.evaluate(([name, all]) => window.besideLambert.measure(name, all), [feature.name, drawn] as const);
     for (const [i, one] of measured.entries()) expectAlike(one, `${feature.name}, ${drawn[i]}`);
     const cells = measured.map(({ difference }) => String(Math.round(difference)));
     rows.push(

@@ -217,7 +217,7 @@ const detailsOf = quickOnly(
     'tangent to the light',
     'towards the light, a ruling machine',
     'across the axis y',
-    'with a pen, aslant, crossing from light tones on',
+    'along the form, with a pen',
     'carved, placed and crossed by shadow',
     'sized on the object',
     'object scaled unequally',
