@@ -1,6 +1,9 @@
 /** Vectors as tuples, with functions named as in GLSL. */
 export type Vec3 = readonly [x: number, y: number, z: number];
 
+/** The vector at an offset of a list of numbers. */
+export const vectorAt = (numbers: ArrayLike<number>, o: number): Vec3 => [numbers[o], numbers[o + 1], numbers[o + 2]];
+
 export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 export const cross = (a: Vec3, b: Vec3): Vec3 => [

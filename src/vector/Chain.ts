@@ -24,17 +24,21 @@ export interface Chain {
   outline: ChainOutline | null;
 }
 
-/** Properties of an outline at each of its points. */
-export interface ChainOutline {
-  pieces: readonly LiftedPiece[];
+/** Properties of an outline at one of its points. */
+export interface OutlinePoint extends LiftedPiece {
   /** Half the width before a surface instead of paper, pixels. */
-  innerHalves: Float64Array;
+  innerHalf: number;
   /** The extra weight of an accent, times the share of the outline that is a contour or a border. */
-  accents: Float64Array;
+  accent: number;
   /** The share that is a contour or a border before paper: first as if all lay before paper, then as it lies. */
-  contours: Float64Array;
+  contour: number;
   /** The share of its width that is left where edges are lost: first as if all lay before paper, then as it lies. */
-  lefts: Float64Array;
+  left: number;
+}
+
+/** Properties of an outline. */
+export interface ChainOutline {
+  points: readonly OutlinePoint[];
   /** Width at weight 1, pixels. */
   width: number;
   /** Radius of the bounding sphere, world units. */

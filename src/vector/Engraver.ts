@@ -92,18 +92,14 @@ export class Engraver {
     private readonly projection: Projection,
   ) {
     this.cut = field && cutFamilies(field);
-    const [cosine, sine] = [Math.cos(look.crossAngle), Math.sin(look.crossAngle)];
+    const { crossAngle } = look;
+    const across = { cosine: Math.cos(crossAngle), sine: Math.sin(crossAngle) };
     // Other families lean back: they halve the wider angle between the first family and those that cross it, so that 60° gives −60°.
-    const other = { cosine: Math.sin(look.crossAngle / 2), sine: -Math.cos(look.crossAngle / 2) };
-    this.leans = {
-      first: { cosine: 1, sine: 0, side: null },
-      crossB: { cosine, sine, side: 'B' },
-      crossC: { cosine, sine, side: 'C' },
-      thirdB: { ...other, side: 'B' },
-      thirdC: { ...other, side: 'C' },
-      shadowB: { ...other, side: 'B' },
-      shadowC: { ...other, side: 'C' },
-    };
+    const back = { cosine: Math.sin(crossAngle / 2), sine: -Math.cos(crossAngle / 2) };
+    const [crossB, thirdB] = [across, back].map((lean): Lean => ({ ...lean, side: 'B' }));
+    const [crossC, thirdC] = [across, back].map((lean): Lean => ({ ...lean, side: 'C' }));
+    const first: Lean = { cosine: 1, sine: 0, side: null };
+    this.leans = { first, crossB, crossC, thirdB, thirdC, shadowB: thirdB, shadowC: thirdC };
   }
 
   /** Whether values jump across seams, so that vertices at one place may have several. */
@@ -163,11 +159,12 @@ export class Engraver {
   measure(family: FamilyName, at: EngravedPlace, tones: Tones): FamilyMeasure {
     const reading = this.read(family, at);
     const { spacing, medium, handmade } = this.look;
-    const { place, smooth, flat, triangle } = at;
+    const { smooth, flat, triangle } = at;
     const { gradient, rise, coarsest, pressure } = reading;
     const tone = handTone(pressure, this.toneOf(family, reading, tones));
     const spaced = spacedBy(changePerPixel(gradient, smooth), changePerPixel(gradient, triangle));
     const octave = octaveOf(spacing, rise, spaced, coarsest);
+    const cutOctave = Math.min(octave + rowOctaves(Math.max(tone, tones.full)), coarsest);
     return {
       tone,
       octave,
@@ -177,16 +174,7 @@ export class Engraver {
       // Lines that follow the form have other numbers on the other side of a seam, so they cannot dissolve one by one.
       left: this.cut === null ? 1 : tones.left,
       isEven: this.cut !== null && medium === 'ink',
-      strokes:
-        medium === 'ink'
-          ? null
-          : this.strokesAt(
-              medium,
-              place,
-              reading,
-              { smooth, flat },
-              Math.min(octave + rowOctaves(Math.max(tone, tones.full)), coarsest),
-            ),
+      strokes: medium === 'ink' ? null : this.strokesAt(medium, at, reading, cutOctave),
     };
   }
 
@@ -213,9 +201,8 @@ export class Engraver {
 
   private strokesAt(
     medium: StrokePlace['medium'],
-    { field, fieldNormal }: SurfacePlace,
+    { place: { field, fieldNormal }, smooth, flat }: EngravedPlace,
     { gradient, value, coarsest }: Reading,
-    { smooth, flat }: { smooth: ScreenMap; flat: ScreenMap },
     cutOctave: number,
   ): StrokePlace {
     const { strokeLength, spacing, handmade } = this.look;
@@ -233,13 +220,11 @@ export class Engraver {
     if (this.cut !== null && reading !== null) {
       const lean = this.leans[family];
       return {
+        ...reading,
         value: familyValue(this.cut, reading, lean),
         gradient: familyGradient(this.cut, reading, lean),
         rise: family === 'first' ? riseOf(reading.slope) : 1,
         coarsest: ANY_OCTAVE,
-        pressure: reading.pressure,
-        has: reading.has,
-        shareB: reading.shareB,
       };
     }
     const isAcross = lineField === 'acrossForm';
@@ -248,13 +233,8 @@ export class Engraver {
     const a = readForm(first, field, handmade, medium === 'ink');
     const rest = { pressure: a.pressure, has: 1, shareB: 1 };
     if (family === 'first') {
-      return {
-        value: a.value,
-        gradient: first.gradient,
-        rise: lengthOf(first.gradient),
-        coarsest: coarsest[0],
-        ...rest,
-      };
+      const { gradient } = first;
+      return { value: a.value, gradient, rise: lengthOf(gradient), coarsest: coarsest[0], ...rest };
     }
     const b = readForm(other, field, handmade, medium === 'ink');
     const rise = lengthOf(other.gradient);

@@ -1,4 +1,4 @@
-import { combined, cross, normalize, type Vec3 } from '../look/vectors.js';
+import { combined, cross, normalize, type Vec3, vectorAt } from '../look/vectors.js';
 import type { Paint, PosedMaps, SurfaceDetails } from './paint/PaintLook.js';
 import type { FormAt } from './shading/lineFunctions.js';
 import type { Mat3 } from './shading/screenGradient.js';
@@ -89,8 +89,6 @@ export function placeFrom(n: ArrayLike<number>, triangle: FlatTriangle, side: nu
     paint: null,
   };
 }
-
-const vectorAt = (n: ArrayLike<number>, o: number): Vec3 => [n[o], n[o + 1], n[o + 2]];
 
 /** The place of a vertex of a triangle. */
 export const placeOfVertex = (surface: LineSurface, vertex: number, triangle: number, side: number): SurfacePlace =>

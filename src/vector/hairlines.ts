@@ -1,4 +1,5 @@
-import type { Chain } from './Chain.js';
+import { mix } from '../look/vectors.js';
+import { type Chain, ChainBuilder } from './Chain.js';
 
 /** Distance between the starts of dashes on the picture, to within a factor of √2, pixels. */
 const PERIOD = 14;
@@ -7,11 +8,7 @@ const LEAST_SHARE = 0.12;
 
 /** A line with points where its dashes begin and end. */
 class DashedLine {
-  private readonly screen: number[] = [];
-  private readonly world: number[] = [];
-  private readonly halves: number[] = [];
-  private readonly margins: number[] = [];
-  private readonly triangles: number[] = [];
+  private readonly builder = new ChainBuilder();
   private isOn = false;
 
   constructor(
@@ -21,7 +18,7 @@ class DashedLine {
 
   /** Walks over a piece, from one end of an interval to the other. */
   go(piece: number, from: number, to: number, isOn: boolean): void {
-    const isFirst = this.margins.length === 0;
+    const isFirst = this.builder.count === 0;
     if (isFirst || isOn !== this.isOn) this.add(piece, from, isFirst && isOn ? 1 : 0);
     this.isOn = isOn;
     // Between two ends with margin 0 a point in the middle decides whether there is a line.
@@ -31,24 +28,16 @@ class DashedLine {
 
   private add(piece: number, share: number, margin: number): void {
     const { screen, world, halves, triangles } = this.chain;
-    const at = (values: Float64Array, i: number, j: number) => values[i] + share * (values[j] - values[i]);
-    for (const k of [0, 1]) this.screen.push(at(screen, 2 * piece + k, 2 * piece + 2 + k));
-    for (const k of [0, 1, 2]) this.world.push(at(world, 3 * piece + k, 3 * piece + 3 + k));
-    this.halves.push(Math.max(at(halves, piece, piece + 1), this.least));
-    this.margins.push(margin);
-    this.triangles.push(triangles[share === 1 ? Math.min(piece + 1, this.chain.count - 1) : piece]);
+    const at = (values: Float64Array, size: number): number[] =>
+      Array.from({ length: size }, (_, k) => mix(values[size * piece + k], values[size * (piece + 1) + k], share));
+    const half = Math.max(at(halves, 1)[0], this.least);
+    const triangle = triangles[share === 1 ? Math.min(piece + 1, this.chain.count - 1) : piece];
+    this.builder.push(at(screen, 2), at(world, 3), half, margin, triangle);
   }
 
   finish(): Chain {
-    return {
-      ...this.chain,
-      count: this.halves.length,
-      screen: Float64Array.from(this.screen),
-      world: Float64Array.from(this.world),
-      halves: Float64Array.from(this.halves),
-      margins: Float64Array.from(this.margins),
-      triangles: Int32Array.from(this.triangles),
-    };
+    const { hash, field, shifts, isClosed } = this.chain;
+    return { ...this.builder.finish(isClosed, hash), field, shifts };
   }
 }
 
@@ -119,7 +108,7 @@ function isDash(chain: Chain, piece: number, [a, b]: readonly [number, number], 
 export function endHairlines({ halves, margins, count, outline }: Chain, width: number): void {
   const least = width / 2;
   for (let i = 0; i < count; i++) {
-    if (margins[i] > 0) margins[i] = halves[i] / (outline?.lefts[i] ?? 1) - 0.5 * least;
+    if (margins[i] > 0) margins[i] = halves[i] / (outline?.points[i].left ?? 1) - 0.5 * least;
     halves[i] = Math.max(halves[i], least);
   }
 }

@@ -40,7 +40,7 @@ const lengthOf = ({ from, to }: Gap): number => to - from;
  * sides. Changes runs and widths.
  */
 export function loseEdges(outlines: readonly SeenOutline[], limits: LostLimits): void {
-  if (!outlines.some(({ chain }) => chain.outline!.lefts.some((left) => left < LOST))) return;
+  if (!outlines.some(({ chain }) => chain.outline!.points.some(({ left }) => left < LOST))) return;
   const runs = outlines.map((outline) => outline.runs.map((run) => new MeasuredRun(outline.chain, run)));
   const all = runs.flat();
   const longest = LONGEST_GAP * sizeOf(all);
@@ -101,7 +101,7 @@ class MeasuredRun {
   ) {
     const last = chain.count - 1;
     this.isWhole = chain.isClosed && run[0] === 0 && run[1] === last;
-    const { lefts } = chain.outline!;
+    const lefts = chain.outline!.points.map(({ left }) => left);
     const start = this.isWhole ? lefts.indexOf(lefts.reduce((a, b) => Math.max(a, b))) % last : run[0];
     const end = this.isWhole ? start + last : run[1];
     const places = [start];
@@ -123,7 +123,7 @@ class MeasuredRun {
   /** The length of the run before paper, pixels. */
   beforePaper(): number {
     const { chain, places, along } = this;
-    const shares = places.map((place) => valueAt(chain, place, (i) => chain.outline!.contours[i]));
+    const shares = places.map((place) => valueAt(chain, place, (i) => chain.outline!.points[i].contour));
     let sum = 0;
     for (let i = 1; i < places.length; i++) sum += 0.5 * (shares[i - 1] + shares[i]) * (along[i] - along[i - 1]);
     return sum;
@@ -137,7 +137,7 @@ class MeasuredRun {
     const stretches: Gap[] = [];
     let open: Gap | null = null;
     for (const [i, place] of places.entries()) {
-      const left = valueAt(chain, place, (k) => chain.outline!.lefts[k]);
+      const left = valueAt(chain, place, (k) => chain.outline!.points[k].left);
       if (left < LOST && open) open.to = along[i];
       else if (left < LOST) {
         open = { from: along[i], to: along[i] };

@@ -1,9 +1,9 @@
 import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/phases.js';
-import { type Chain, ChainBuilder } from '../Chain.js';
-import { fadedPlace, type Projection, transformed } from '../Projection.js';
+import { type Chain, ChainBuilder, type OutlinePoint } from '../Chain.js';
+import { type Projection, transformed, fadedPlace } from '../Projection.js';
+import { shadeWeight, wobbleAt } from '../shading/outlines.js';
 import { outlineFadingAt } from '../shading/fading.js';
-import { type LiftedPiece, shadeWeight, wobbleAt } from '../shading/outlines.js';
 import { meanLightAt } from '../shading/radiance.js';
 import type { Illumination } from '../Toner.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
@@ -147,11 +147,7 @@ const isCrease = ({ isSmooth, contour }: OutlinePiece): boolean => !isSmooth && 
 /** Draws the pieces of one outline into a chain. */
 class OutlineDrawing {
   private readonly builder = new ChainBuilder();
-  private readonly pieces: LiftedPiece[] = [];
-  private readonly innerHalves: number[] = [];
-  private readonly accents: number[] = [];
-  private readonly contours: number[] = [];
-  private readonly lefts: number[] = [];
+  private readonly points: OutlinePoint[] = [];
   private last: { piece: OutlinePiece; from: PieceEnd; to: PieceEnd } | undefined;
 
   constructor(
@@ -174,18 +170,12 @@ class OutlineDrawing {
   }
 
   finish(isClosed: boolean): Chain {
-    const { pieces, innerHalves, accents, contours, lefts, mesh, look, last } = this;
+    const { points, mesh, look, last } = this;
     if (last) this.runOn(last.piece, last.to, last.from);
     const radius = mesh.radius * mesh.scale;
     return {
       ...this.builder.finish(isClosed),
-      outline: {
-        ...{ pieces, radius, width: look.width, isCutOut: look.isCutOut },
-        innerHalves: Float64Array.from(innerHalves),
-        accents: Float64Array.from(accents),
-        contours: Float64Array.from(contours),
-        lefts: Float64Array.from(lefts),
-      },
+      outline: { points, radius, width: look.width, isCutOut: look.isCutOut },
     };
   }
 
@@ -234,30 +224,28 @@ class OutlineDrawing {
     const isBehind = this.projection.depthOf(...world) >= near;
     const screen = isBehind ? this.pixelOf(end) : [0, 0];
     this.builder.push(screen, world, half, isBehind ? Math.max(half, inner) : -1, -1);
-    this.innerHalves.push(inner);
-    this.accents.push(this.look.accents * contour);
-    this.contours.push(contour);
-    this.lefts.push(end.left);
     const { scale } = this.mesh;
-    this.pieces.push({ isSmooth, bend: end.bend, extent: extent * scale, ownCover: ownCover * scale, isValley });
+    this.points.push({
+      ...{ isSmooth, bend: end.bend, extent: extent * scale, ownCover: ownCover * scale, isValley },
+      ...{ innerHalf: inner, accent: this.look.accents * contour, contour, left: end.left },
+    });
   }
 
   /** Continues over another piece from the last point, which gets the mean width and the lift of both. */
   private join({ isSmooth, extent, contour }: OutlinePiece, end: PieceEnd): void {
     const [half, inner] = this.halvesAt(end, this.worldOf(end));
     this.builder.share(half, Math.max(half, inner), -1);
-    const last = this.pieces.length - 1;
-    const before = this.pieces[last];
-    this.innerHalves[last] = 0.5 * (this.innerHalves[last] + inner);
-    this.accents[last] = 0.5 * (this.accents[last] + this.look.accents * contour);
-    this.contours[last] = 0.5 * (this.contours[last] + contour);
-    this.lefts[last] = 0.5 * (this.lefts[last] + end.left);
-    this.pieces[last] = {
+    const before = this.points.pop()!;
+    this.points.push({
       ...before,
       isSmooth: isSmooth || before.isSmooth,
       bend: Math.min(before.bend, end.bend),
       extent: Math.max(before.extent, extent * this.mesh.scale),
-    };
+      innerHalf: 0.5 * (before.innerHalf + inner),
+      accent: 0.5 * (before.accent + this.look.accents * contour),
+      contour: 0.5 * (before.contour + contour),
+      left: 0.5 * (before.left + end.left),
+    });
   }
 }
 

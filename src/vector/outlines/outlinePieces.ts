@@ -1,5 +1,5 @@
 import { hiddenWeight } from '../../look/hiddenOutlines.js';
-import { combined, cross, dot, mix, type Vec3 } from '../../look/vectors.js';
+import { combined, cross, dot, mix, type Vec3, vectorAt } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/phases.js';
 import { contourAlong, depthAcross, looksAway, suggestiveShare, taperAt } from '../shading/outlines.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
@@ -62,20 +62,9 @@ class PieceFinder {
     }
   }
 
-  private positionOf(p: number): Vec3 {
-    const { positions } = this.mesh;
-    return [positions[3 * p], positions[3 * p + 1], positions[3 * p + 2]];
-  }
+  private readonly positionOf = (p: number): Vec3 => vectorAt(this.mesh.positions, 3 * p);
 
-  private anchorOf(p: number): Vec3 {
-    const { anchors } = this.mesh;
-    return [anchors[3 * p], anchors[3 * p + 1], anchors[3 * p + 2]];
-  }
-
-  private normalOf(p: number): Vec3 {
-    const { normals } = this.mesh;
-    return [normals[3 * p], normals[3 * p + 1], normals[3 * p + 2]];
-  }
+  private readonly normalOf = (p: number): Vec3 => vectorAt(this.mesh.normals, 3 * p);
 
   private curved(p: number, [x, y, z]: Vec3): Vec3 {
     const k = this.mesh.curvatures;
@@ -94,11 +83,11 @@ class PieceFinder {
 
   /** The end at a share of the way from a to b. */
   private endBetween(a: number, b: number, share: number): PieceEnd {
-    const { placeOf } = this.mesh;
+    const { placeOf, anchors } = this.mesh;
     const key = share === 0 ? `v${placeOf[a]}` : share === 1 ? `v${placeOf[b]}` : pairKey(a, b);
     return {
       position: combined(1 - share, this.positionOf(a), share, this.positionOf(b)),
-      anchor: combined(1 - share, this.anchorOf(a), share, this.anchorOf(b)),
+      anchor: combined(1 - share, vectorAt(anchors, 3 * a), share, vectorAt(anchors, 3 * b)),
       normal: combined(1 - share, this.normalOf(a), share, this.normalOf(b)),
       bend: mix(this.bend[a], this.bend[b], share),
       weight: 0,

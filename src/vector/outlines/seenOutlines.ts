@@ -15,29 +15,29 @@ const { BESIDE, CUT_SLOPE } = OUTLINE_CONSTANTS;
  * @param leastHalf least half width, pixels, that the lift is computed for
  */
 export function outlineTest(chain: Chain, bvh: Bvh, projection: Projection, leastHalf = 0): SeenTest {
-  const { pieces, radius } = chain.outline!;
+  const { points, radius } = chain.outline!;
   const beside = new BesideOutline(chain, bvh, projection);
   return (place: ChainPlace) => {
     const { world, piece, share } = place;
     const half = chain.halves[piece] + share * (chain.halves[piece + 1] - chain.halves[piece]);
     const pixel = projection.unitsPerPixel(projection.depthOf(...world));
     const units = Math.max(half, leastHalf) * pixel;
-    const lift = Math.max(liftOf(pieces[piece], units, radius), liftOf(pieces[piece + 1], units, radius));
+    const lift = Math.max(liftOf(points[piece], units, radius), liftOf(points[piece + 1], units, radius));
     const { way, end } = projection.wayToEye(...world);
     if (bvh.isHidden(world, way, lift / Math.hypot(...way), end)) return false;
     // A point that two pieces share belongs to both.
-    return beside.isOpen(place, toleranceOf(pieces[piece + 1], pixel, radius));
+    return beside.isOpen(place, toleranceOf(points[piece + 1], pixel, radius));
   };
 }
 
 /** A test for whether the surface of an outline is cut out; null if no part of it may be. */
 export function cutTest(chain: Chain, bvh: Bvh, projection: Projection): SeenTest | null {
-  const { pieces, radius, isCutOut } = chain.outline!;
+  const { points, radius, isCutOut } = chain.outline!;
   if (!isCutOut) return null;
   const beside = new BesideOutline(chain, bvh, projection);
   return (place: ChainPlace) => {
     const pixel = projection.unitsPerPixel(projection.depthOf(...place.world));
-    return beside.isEmpty(place, toleranceOf(pieces[place.piece + 1], pixel, radius) + CUT_SLOPE * pixel);
+    return beside.isEmpty(place, toleranceOf(points[place.piece + 1], pixel, radius) + CUT_SLOPE * pixel);
   };
 }
 
@@ -105,27 +105,28 @@ class BesideOutline {
  * widths of the chain. Yields its progress.
  */
 export function* weighOutline(chain: Chain, bvh: Bvh, projection: Projection): Generator<number, void, void> {
-  const { innerHalves, accents, contours, lefts, width, pieces } = chain.outline!;
+  const { points, width } = chain.outline!;
   const { screen, halves, count, margins } = chain;
   const placeAt = (i: number): ChainPlace => placeOn(chain, Math.min(i, count - 2), i < count - 1 ? 0 : 1, projection);
   const depthAt = (i: number): number => projection.depthOf(...placeAt(i).world);
   for (let i = 0; i < count; i++) {
     if (i % 32 === 31) yield i / count;
-    const [outer, inner] = [halves[i], innerHalves[i]];
-    if ((outer === inner && accents[i] === 0 && contours[i] === 0) || margins[i] <= 0) continue;
+    const point = points[i];
+    const [outer, inner] = [halves[i], point.innerHalf];
+    if ((outer === inner && point.accent === 0 && point.contour === 0) || margins[i] <= 0) continue;
     const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, count - 1)];
     const dx = screen[2 * after] - screen[2 * before];
     const dy = screen[2 * after + 1] - screen[2 * before + 1];
     const length = Math.hypot(dx, dy) || 1;
     // A straight edge may run away from the eye. Contours are taken to keep their depth.
-    const slope = pieces[i].isSmooth ? 0 : (depthAt(after) - depthAt(before)) / length;
+    const slope = point.isSmooth ? 0 : (depthAt(after) - depthAt(before)) / length;
     const gaps = new GapReader({ ...placeAt(i), along: [dx / length, dy / length], slope }, bvh, projection);
     const { paper, accent } = gaps.lineWeight(Math.max(outer, inner) + OUTLINE_CONSTANTS.BEYOND, strideOf(width));
     const whole = inner + paper * (outer - inner);
-    const lost = paper * outer * (1 - lefts[i]);
-    halves[i] = (whole - lost) * (1 + accents[i] * accent);
-    contours[i] *= paper;
-    lefts[i] = whole > 0 ? 1 - lost / whole : 1;
+    const lost = paper * outer * (1 - point.left);
+    halves[i] = (whole - lost) * (1 + point.accent * accent);
+    point.contour *= paper;
+    point.left = whole > 0 ? 1 - lost / whole : 1;
   }
 }
 

@@ -12,6 +12,10 @@ export interface OrderedPath {
   isReversed: boolean;
 }
 
+/** Both ends of each path: x and y in turn. */
+export const pointsOf = (paths: readonly PathEnds[]): Float64Array =>
+  Float64Array.from(paths.flatMap(({ start, end }) => [...start, ...end]));
+
 /** Number of nearest ends that are tried for each end. */
 const NEIGHBOURS = 10;
 /** Longest stretch that is moved. */
@@ -28,7 +32,7 @@ const LONGEST_EXCHANGED = 12;
  */
 export function* improveOrder(paths: readonly PathEnds[], order: OrderedPath[]): Generator<number, void, void> {
   if (order.length < 3) return;
-  const points = Float64Array.from(paths.flatMap(({ start, end }) => [...start, ...end]));
+  const points = pointsOf(paths);
   const nearest = yield* nearestEnds(points, Math.min(NEIGHBOURS, 2 * paths.length - 2));
   const search = new Search(points, nearest, order);
   yield* asPhase(search.settle(), 0, 0.3);
@@ -270,23 +274,24 @@ export function* nearestEnds(points: Float64Array, count: number): Generator<num
       distances[i] = away;
       nearest[p * count + i] = q;
     };
-    for (let ring = 0; ring <= grid.columns; ring++) {
+    for (let ring = 0; ring < grid.columns; ring++) {
       // Points in rings farther out are at least this far away.
       if (found === count && (ring - 1) * grid.size > distances[count - 1]) break;
-      grid.visitRing(x, y, ring, add);
+      grid.visitRing(x, y, ring, (cell) => cell.forEach(add));
     }
   }
   return nearest;
 }
 
 /** Points in the cells of a square grid. */
-class Grid {
+export class Grid {
   readonly columns: number;
   readonly size: number;
   private readonly left: number;
   private readonly top: number;
   private readonly cells: number[][];
 
+  /** @param points x and y in turn, two points for each path */
   constructor(points: Float64Array) {
     let [right, bottom] = [-Infinity, -Infinity];
     let [left, top] = [Infinity, Infinity];
@@ -295,26 +300,30 @@ class Grid {
       [top, bottom] = [Math.min(top, points[i + 1]), Math.max(bottom, points[i + 1])];
     }
     [this.left, this.top] = [left, top];
-    this.columns = Math.max(1, Math.ceil(Math.sqrt(points.length / 4)));
-    this.size = Math.max(right - left, bottom - top, 1e-9) / this.columns;
-    this.cells = Array.from({ length: (this.columns + 1) ** 2 }, () => []);
-    for (let p = 0; 2 * p < points.length; p++) this.cells[this.cellOf(points[2 * p], points[2 * p + 1])].push(p);
+    const count = Math.max(1, Math.ceil(Math.sqrt(points.length / 4)));
+    this.columns = count + 1;
+    this.size = Math.max(right - left, bottom - top, 1e-9) / count;
+    this.cells = Array.from({ length: this.columns ** 2 }, () => []);
+    for (let p = 0; 2 * p < points.length; p++) {
+      const [column, row] = this.cellOf(points[2 * p], points[2 * p + 1]);
+      this.cells[column + this.columns * row].push(p);
+    }
   }
 
-  private cellOf(x: number, y: number): number {
-    return Math.floor((x - this.left) / this.size) + (this.columns + 1) * Math.floor((y - this.top) / this.size);
+  /** The cell of a position, or the nearest one. */
+  private cellOf(x: number, y: number): readonly [column: number, row: number] {
+    const at = (distance: number) => Math.min(this.columns - 1, Math.max(0, Math.floor(distance / this.size)));
+    return [at(x - this.left), at(y - this.top)];
   }
 
-  /** Calls back for the points in a ring of cells around that of a position. */
-  visitRing(x: number, y: number, ring: number, call: (point: number) => void): void {
-    const width = this.columns + 1;
-    const cell = this.cellOf(x, y);
-    const [column, row] = [cell % width, Math.floor(cell / width)];
-    for (let r = Math.max(row - ring, 0); r <= Math.min(row + ring, this.columns); r++) {
+  /** Calls back for the cells in a ring around that of a position. */
+  visitRing(x: number, y: number, ring: number, call: (cell: number[]) => void): void {
+    const { columns } = this;
+    const [column, row] = this.cellOf(x, y);
+    for (let r = Math.max(row - ring, 0); r <= Math.min(row + ring, columns - 1); r++) {
       const step = Math.abs(r - row) === ring || ring === 0 ? 1 : 2 * ring;
-      for (let c = column - ring; c <= column + ring; c += step) {
-        if (c >= 0 && c < width) for (const point of this.cells[c + width * r]) call(point);
-      }
+      for (let c = column - ring; c <= column + ring; c += step)
+        if (c >= 0 && c < columns) call(this.cells[c + columns * r]);
     }
   }
 }

@@ -1,5 +1,5 @@
 import { asPhase } from '../../mesh/phases.js';
-import { improveOrder, type OrderedPath, type PathEnds } from './improveOrder.js';
+import { Grid, improveOrder, type OrderedPath, type PathEnds, pointsOf } from './improveOrder.js';
 
 export type { OrderedPath, PathEnds };
 
@@ -30,79 +30,32 @@ export function* orderPaths(paths: readonly PathEnds[]): Generator<number, Order
   return order;
 }
 
-/** Ends of paths in the cells of a grid. An end has the index of its path times two, plus one for the second end. */
-class EndGrid {
-  private readonly cells: number[][];
-  private readonly size: number;
-  private readonly columns: number;
-  private readonly least: readonly [number, number];
-  private readonly used: Uint8Array;
-
-  constructor(private readonly paths: readonly PathEnds[]) {
-    const ends = paths.flatMap(({ start, end }) => [start, end]);
-    const lowest = (axis: 0 | 1) => ends.reduce((least, end) => Math.min(least, end[axis]), Infinity);
-    const highest = (axis: 0 | 1) => ends.reduce((most, end) => Math.max(most, end[axis]), -Infinity);
-    this.least = [lowest(0), lowest(1)];
-    const count = Math.max(1, Math.ceil(Math.sqrt(paths.length)));
-    this.size = Math.max(highest(0) - this.least[0], highest(1) - this.least[1], 1e-9) / count;
-    this.columns = count + 1;
-    this.cells = Array.from({ length: this.columns ** 2 }, () => []);
-    this.used = new Uint8Array(paths.length);
-    for (const [i, end] of ends.entries()) {
-      const [column, row] = this.cellOf(end);
-      this.cells[column + this.columns * row].push(i);
-    }
-  }
-
-  private cellOf(place: readonly [number, number]): readonly [number, number] {
-    const at = (axis: 0 | 1) =>
-      Math.min(this.columns - 1, Math.max(0, Math.floor((place[axis] - this.least[axis]) / this.size)));
-    return [at(0), at(1)];
-  }
-
-  /** Removes and returns the end nearest to a position. */
-  take(place: readonly [number, number]): number {
-    const [column, row] = this.cellOf(place);
+/** Orders paths by the nearest end that is left. An end has the index of its path times two, plus one for the second end. */
+export function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
+  const grid = new Grid(pointsOf(paths));
+  const used = new Uint8Array(paths.length);
+  const order: OrderedPath[] = [];
+  let place: readonly [number, number] = [0, 0];
+  for (let i = 0; i < paths.length; i++) {
     let [best, nearest] = [-1, Infinity];
-    for (let ring = 0; ring < this.columns; ring++) {
-      // Ends in rings farther out are at least this far away, for a position within its cell.
-      if (best >= 0 && (ring - 1) * this.size > nearest) break;
-      for (const cell of this.ringAround(column, row, ring)) {
+    // Ends in rings farther out are at least this far away, for a position within its cell.
+    for (let ring = 0; ring < grid.columns && !(best >= 0 && (ring - 1) * grid.size > nearest); ring++) {
+      grid.visitRing(...place, ring, (cell) => {
         let kept = 0;
         for (const end of cell) {
-          if (this.used[end >> 1]) continue;
+          if (used[end >> 1]) continue;
           cell[kept++] = end;
-          const path = this.paths[end >> 1];
+          const path = paths[end >> 1];
           const away = distance(place, end & 1 ? path.end : path.start);
           if (away > nearest || (away === nearest && end > best)) continue;
           best = end;
           nearest = away;
         }
         cell.length = kept;
-      }
+      });
     }
-    this.used[best >> 1] = 1;
-    return best;
-  }
-
-  private *ringAround(column: number, row: number, ring: number): Generator<number[], void, void> {
-    for (let y = row - ring; y <= row + ring; y++) {
-      if (y < 0 || y >= this.columns) continue;
-      const isWhole = y === row - ring || y === row + ring;
-      for (let x = column - ring; x <= column + ring; x += isWhole ? 1 : 2 * ring) {
-        if (x >= 0 && x < this.columns) yield this.cells[x + this.columns * y];
-      }
-    }
-  }
-}
-
-export function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
-  const grid = new EndGrid(paths);
-  const order: OrderedPath[] = [];
-  let place: readonly [number, number] = [0, 0];
-  for (let i = 0; i < paths.length; i++) {
-    const end = grid.take(place);
-    const [path, isReversed] = [end >> 1, (end & 1) === 1];
+    const [path, isReversed] = [best >> 1, (best & 1) === 1];
+    used[path] = 1;
     order.push({ path, isReversed });
     place = isReversed ? paths[path].start : paths[path].end;
     if (i % 64 === 63) yield i / paths.length;

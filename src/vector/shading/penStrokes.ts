@@ -9,22 +9,8 @@ import { clamp01, mix } from '../../look/vectors.js';
 import { bitsOf, hash01, turnOf } from './hand.js';
 import { type Along, differing, numberOf } from './strokeLengths.js';
 
-const {
-  ALL_FROM,
-  STROKE_GROWTH,
-  SHORTENING,
-  SHORTENING_OF_INK,
-  NIB,
-  CLOSED_FROM,
-  LATENESS,
-  LATE_HASH,
-  BIRTH,
-  STROKE_GAP,
-  TAPER,
-  LEANING,
-  BENDING,
-  WIDTH_SPREAD,
-} = PEN_CONSTANTS;
+const { ALL_FROM, STROKE_GROWTH, SHORTENING, SHORTENING_OF_INK, NIB, CLOSED_FROM, LATENESS, LATE_HASH } = PEN_CONSTANTS;
+const { BIRTH, STROKE_GAP, TAPER, LEANING, BENDING, WIDTH_SPREAD } = PEN_CONSTANTS;
 const { GAP_HASH, BIRTH_HASH, WIDTH_HASH, AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
 const { GOLDEN_RATIO, THIRD_FACTOR, THUE_MORSE } = HASH_FACTORS;
 

@@ -1,6 +1,6 @@
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import type { Sky } from '../../look/surroundings.js';
-import { combined, cross, dot, lengthOf, type Vec3 } from '../../look/vectors.js';
+import { clamp01, combined, cross, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
 
 /** The light of lamps that arrives at a surface, as in radiance.glsl and three.js' chunks. World space. */
 
@@ -24,7 +24,7 @@ export type ToneModel = 'lambert' | 'halfLambert' | 'phong' | 'toon';
 /** Attenuation of a light over a distance, as in three.js. */
 export function attenuation(length: number, { distance, decay }: Pick<Lamp, 'distance' | 'decay'>): number {
   const left = 1 / Math.max(length ** decay, 0.01);
-  return distance > 0 ? left * Math.max(0, Math.min(1, 1 - (length / distance) ** 4)) ** 2 : left;
+  return distance > 0 ? left * clamp01(1 - (length / distance) ** 4) ** 2 : left;
 }
 
 /** The light of a lamp at a point. */
@@ -51,9 +51,7 @@ export function arriving(lamp: Lamp, point: Vec3): Arriving {
 
 function inCone({ axis, outer, inner }: NonNullable<Lamp['cone']>, direction: Vec3): number {
   const cosine = dot(axis, direction);
-  if (inner <= outer) return cosine >= outer ? 1 : 0;
-  const t = Math.min(1, Math.max(0, (cosine - outer) / (inner - outer)));
-  return t * t * (3 - 2 * t);
+  return inner <= outer ? Number(cosine >= outer) : smoothstep(outer, inner, cosine);
 }
 
 /**

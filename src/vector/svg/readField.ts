@@ -8,7 +8,7 @@ import { FIELD_NORMAL, type LineSurface, STRIDE } from '../LineSurface.js';
 import { across, type Field, type FieldLamp, fieldLight, firstField } from '../shading/fieldAxis.js';
 import { awayField } from '../shading/groundShadow.js';
 import type { Lamp } from '../shading/radiance.js';
-import type { SurfaceFrame } from './surfaceFrame.js';
+import { followsForm, type SurfaceFrame } from './surfaceFrame.js';
 
 /** A surface, and how its lines are laid. */
 export interface LaidSurface {
@@ -20,10 +20,6 @@ export interface LaidSurface {
 
 /** Most lights whose shadows turn lines: each combination of them has lines of its own. */
 const MOST_TURNING = 3;
-
-type LineField = EngravedLook['lineField'];
-const followsForm = (lineField: LineField): lineField is 'form' | 'acrossForm' =>
-  lineField === 'form' || lineField === 'acrossForm';
 
 /** The field of the first family of lines on a surface; null for lines that follow the form. */
 export function fieldOf({ engraved, material, frame, surface }: LaidSurface, lamps: readonly Lamp[]): Field | null {

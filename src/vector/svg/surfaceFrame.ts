@@ -20,10 +20,21 @@ export interface SurfaceFrame {
   hasOcclusion: boolean;
 }
 
-/** Instances stand in different places, so occlusion is not baked for them. */
-const hasOcclusion = (mesh: Mesh): boolean => !('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh);
+/** Object space as the space of fields, for dots. worldToView: of the camera. */
+export const objectFrame = (mesh: Mesh, toWorld: Matrix4, worldToView: Matrix4): SurfaceFrame => ({
+  toWorld,
+  toView: new Matrix4().multiplyMatrices(worldToView, toWorld),
+  normalToWorld: new Matrix3().getNormalMatrix(toWorld),
+  restToWorld: toWorld,
+  isCutAsPosed: false,
+  // Instances stand in different places, so occlusion is not baked for them.
+  hasOcclusion: !('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh),
+  fieldOrigin: new Vector3(),
+  toField: new Matrix3(),
+  normalToField: new Matrix3(),
+});
 
-/** @param worldToView of the camera */
+/** The space of the lines of a material. */
 export function surfaceFrame(
   mesh: Mesh,
   toWorld: Matrix4,
@@ -31,43 +42,19 @@ export function surfaceFrame(
   { lineField }: EngravedLook,
   worldToView: Matrix4,
 ): SurfaceFrame {
-  const fieldOrigin = { value: new Vector3() };
-  const objectToField = { value: new Matrix3() };
-  const objectToFieldNormal = { value: new Matrix3() };
+  const frame = objectFrame(mesh, toWorld, worldToView);
+  const [fieldOrigin, objectToField, objectToFieldNormal] = [frame.fieldOrigin, frame.toField, frame.normalToField].map(
+    (value) => ({ value }),
+  );
   writeFieldFrame({ fieldOrigin, objectToField, objectToFieldNormal }, tilesPerUnit, mesh.geometry, mesh);
   // Lines that follow the form are fixed to the surface at rest, whatever `strokeAnchor` is.
   const isCutAsPosed = strokeAnchor === 'deformed' && !followsForm(lineField);
   const firstBone = isCutAsPosed ? null : firstBoneOf(mesh);
-  return {
-    toWorld,
-    toView: new Matrix4().multiplyMatrices(worldToView, toWorld),
-    normalToWorld: new Matrix3().getNormalMatrix(toWorld),
-    restToWorld: firstBone ? firstBone.premultiply(toWorld) : toWorld,
-    isCutAsPosed,
-    hasOcclusion: hasOcclusion(mesh),
-    fieldOrigin: fieldOrigin.value,
-    toField: objectToField.value,
-    normalToField: objectToFieldNormal.value,
-  };
+  return { ...frame, isCutAsPosed, restToWorld: firstBone ? firstBone.premultiply(toWorld) : toWorld };
 }
 
-const followsForm = (lineField: EngravedLook['lineField']): boolean =>
+export const followsForm = (lineField: EngravedLook['lineField']): lineField is 'form' | 'acrossForm' =>
   lineField === 'form' || lineField === 'acrossForm';
-
-/** The same, with object space as the space of fields, for dots. */
-export function objectFrame(mesh: Mesh, toWorld: Matrix4, worldToView: Matrix4): SurfaceFrame {
-  return {
-    toWorld,
-    toView: new Matrix4().multiplyMatrices(worldToView, toWorld),
-    normalToWorld: new Matrix3().getNormalMatrix(toWorld),
-    restToWorld: toWorld,
-    isCutAsPosed: false,
-    hasOcclusion: hasOcclusion(mesh),
-    fieldOrigin: new Vector3(),
-    toField: new Matrix3(),
-    normalToField: new Matrix3(),
-  };
-}
 
 /** The rows of a matrix of three.js. */
 export function rowsOf({ elements: e }: Matrix3): Mat3 {

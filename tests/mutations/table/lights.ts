@@ -4,8 +4,8 @@ export const lights: readonly Mutation[] = [
   {
     name: 'a spot is whole up to its outer cone',
     file: 'src/vector/shading/radiance.ts',
-    find: '(cosine - outer) / (inner - outer)',
-    replace: '(cosine - inner) / (outer - inner)',
+    find: 'smoothstep(outer, inner, cosine)',
+    replace: 'smoothstep(0, inner, cosine)',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/vector/shading/tone.test.ts',
