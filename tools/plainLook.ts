@@ -1,6 +1,6 @@
 import type { HatchingMaterialParameters, TonalArtMap } from 'three-hatching';
 
-/** What all techniques draw plainly: tone as the light has it, in one layer, tangent to the light. */
+/** A plain look for every technique: the tone of the light, in one layer, tangent to the light. */
 const PLAIN: HatchingMaterialParameters = {
   toneCurve: 'linear',
   reflectedLight: 0,

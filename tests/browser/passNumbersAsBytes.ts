@@ -24,7 +24,7 @@ function packed(value: unknown): unknown {
     if (Array.isArray(one)) {
       let isOfNumbers = one.length > 256;
       let isOfBytes = true;
-      // Not by methods, which skip holes.
+      // A loop, since array methods skip holes.
       for (let i = 0; isOfNumbers && i < one.length; i++) {
         isOfNumbers = typeof one[i] === 'number';
         isOfBytes &&= Object.is(one[i] & 255, one[i]);

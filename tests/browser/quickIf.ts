@@ -4,7 +4,7 @@ import type { TestDetails } from '@playwright/test';
 export const quickIf = (isQuick: boolean): TestDetails => (isQuick ? {} : { tag: '@all' });
 
 /**
- * Of the cases of a list, `npm test` runs those that are named.
+ * `npm test` runs only the named cases of a list.
  *
  * @param names of all cases
  * @param quick the names of those that `npm test` runs

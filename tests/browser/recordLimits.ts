@@ -12,7 +12,7 @@ export interface LimitRecord {
   matcher: string;
   value: number;
   limit: number;
-  /** Of `toBeCloseTo`: how many decimals must agree. */
+  /** Number of decimals that must agree, for `toBeCloseTo`. */
   digits?: number;
 }
 

@@ -15,13 +15,13 @@ declare global {
 }
 
 interface Site {
-  /** Where the pages lie. */
+  /** Base URL of the pages. */
   site: string | undefined;
 }
 
 interface PageChecks {
   /**
-   * What went wrong on the page so far: console warnings and errors, uncaught errors, crashes. A test that expects one
+   * Problems of the page so far: console warnings and errors, uncaught errors, crashes. A test that expects one
    * takes it out; whatever is left at the end fails the test.
    */
   pageProblems: string[];

@@ -1,5 +1,5 @@
 /**
- * How a page is made of the packed library with each bundler: what is installed, the files beside those of `pages`, what is run,
+ * Recipes for a page of the packed library with each bundler: packages to install, files beside those of `pages`, commands,
  * and where the page then lies. `serve` is a command that serves the page itself.
  *
  * @typedef {object} Recipe

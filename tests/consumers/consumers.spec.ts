@@ -44,7 +44,7 @@ const COPIED = [
 /** Correlation of two pictures that show the same strokes; other strokes of the same form have 0.7 or less. */
 const LIKE = 0.9;
 
-/** What pages, bundlers and Node start from. */
+/** Entry files for pages, bundlers and Node. */
 const ENTRIES = [
   'index.js',
   'facts.js',
@@ -65,7 +65,7 @@ test.beforeAll(() => {
   files = installPackedLibrary();
 });
 
-/** What a page with its own build loads at once that uses these, in bytes after gzip, without three.js, React and React Three Fiber. */
+/** The bytes after gzip that a bundled page with these imports loads at once, without three.js, React and React Three Fiber. */
 const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 31_200],
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 42_400],
@@ -88,7 +88,7 @@ const MOST_BYTES_OF_WORKER = 46_000;
 const MOST_BYTES_OF_REACT = 5_000;
 const MOST_BYTES_OF_ELEMENT = 9_000;
 
-/** Of the ways in which a compiler finds modules, `npm test` tries that of bundlers. */
+/** `npm test` tries module resolution for bundlers only. */
 const tagOf = (moduleResolution: string) => (moduleResolution === 'bundler' ? [] : '@all');
 
 test.describe('the tarball', () => {
@@ -269,7 +269,7 @@ test.describe('the tarball', () => {
     });
   }
 
-  // Each by itself: a page has one of these, and must not need the types of the others.
+  // Each alone: a project with one framework must not need the types of the others.
   for (const name of ['elementReact.tsx', 'elementPreact.tsx', 'elementVue.ts']) {
     for (const moduleResolution of ['bundler', 'nodenext']) {
       const title = `has a web component whose tag is known: ${name}, ${moduleResolution}`;
@@ -502,7 +502,7 @@ function importsOf(file: string): string[] {
   return [...new Set([...statements, ...calls].map((match) => match[1]))];
 }
 
-/** What a strict compiler says of files that use the components of the packed library. */
+/** Errors of a strict compiler on files that use the components of the packed library. */
 function strictly(moduleResolution: string, files: readonly string[]): string {
   const compilerOptions = {
     target: 'es2022',

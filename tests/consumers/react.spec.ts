@@ -22,7 +22,7 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.page?.hatchings > 0);
 });
 
-/** What a page that shows nothing holds: React frees it when there is nothing else to do. */
+/** Objects left on an empty page: React frees them when it is idle. */
 const NOTHING = { geometries: 0, textures: 0, programs: 0, meshes: 0 };
 
 const heldBy = (page: Page) =>
@@ -109,7 +109,7 @@ test('40 mounts and unmounts leave nothing behind: no textures, geometries, prog
   for (const times of [1, 10, 10, 10, 10]) {
     await toggle(times);
     await expect.poll(() => heldBy(page), { message: `after ${times} more` }).toMatchObject(NOTHING);
-    // As many as the pool may have, however many scenes there were.
+    // The size of the pool, whatever the number of scenes.
     const cores = await page.evaluate(() => navigator.hardwareConcurrency);
     expect(page.workers().length).toBeLessThanOrEqual(Math.min(cores, 4));
   }

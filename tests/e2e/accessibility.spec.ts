@@ -11,10 +11,10 @@ const SIZES = [
   [1920, 1080],
 ] as const;
 
-/** What axe finds, in a line each. */
+/** Violations that axe finds, one per line. */
 async function violations(page: Page): Promise<string[]> {
   // A page that breaks off its context to be looked at would say so on the console.
-  // What passes is not described: that would take most of the time.
+  // Passes are not described, which would take most of the time.
   const { violations: found } = await new AxeBuilder({ page })
     .setLegacyMode()
     .options({ resultTypes: ['violations'] })

@@ -120,7 +120,7 @@ test('an agreement is to one model on one site, whatever a link, its sender or a
   expect(asked).toEqual(['trusted.test/%E2%80%AEbunny.ply']);
   expect(await page.title()).toBe('bunny.ply, hatched');
 
-  // Where the address asks for something else by now, the question goes: by a link, and by Back.
+  // The question is withdrawn when the address changes: by a link, and by Back.
   await ask('https://evil.test/track.ply');
   await expect(question).toBeVisible();
   await follow(page, `model=cube&${LOOK}`);
@@ -225,10 +225,10 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
       configurable: true,
     });
   });
-  // Nothing is there to be saved.
+  // There is no drawing to save.
   await page.goto(`./#model=dragon4&${LOOK}`);
   await expect(status).toHaveText(/^Fetching the dragon/);
-  // Until the map is there too, its progress may take the place of the sentence soon.
+  // The progress of the map may replace the sentence until the map is loaded.
   await status.evaluate(
     (line, sentence) =>
       new Promise<void>((resolve) => {
@@ -278,7 +278,7 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   // The system's sheet gets what the address would be.
   await page.getByRole('button', { name: 'Picture', exact: true }).click();
   await page.getByRole('button', { name: 'Share this drawing' }).click();
-  // What shares is fetched with the first click.
+  // The code for sharing is fetched by the first click.
   await expect
     .poll(() => page.evaluate(() => (window as unknown as { shared?: ShareData }).shared))
     .toEqual({ title: 'Cube, hatched', url: expect.stringContaining('#model=cube&') });
@@ -310,7 +310,7 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   await expect(status).toHaveText('');
   await drop(page, [file('stray.png', 'x')]);
   await expect(status).toHaveText(/^A part of this page could not be fetched/);
-  // What the page still fetches ahead is refused too, and would be said after the test has looked.
+  // Prefetches are refused too, and would be reported after the test has checked.
   expect(await readGlErrors(page)).toEqual([]);
   await page.close();
   expect(pageProblems.splice(0).filter((problem) => !/ERR_FAILED/.test(problem))).toEqual([]);
@@ -330,7 +330,7 @@ test('a link draws the very picture of who sends it: orbited, and framed before 
   const link = 'technique=engraved&model=knot&shadows=on&ground=shadow&lightAzimuth=-80&lightElevation=20';
   await openPlayground(page, link);
   await page.locator('#lamp').focus();
-  // To the other side, where the shadow would need room.
+  // To the other side, where the shadow needs room.
   for (let i = 0; i < 30; i++) await page.keyboard.press('ArrowRight');
   expect(await writtenHash(page)).toMatch(/lightAzimuth=70&.*camera=/);
   await sent();

@@ -13,7 +13,7 @@ import { ktx2Picture } from './ktx2Picture.js';
 import { changedShare, meanInk } from './pictures.js';
 
 const EXAMPLES = readExamples();
-/** Those that `npm test` draws: a mesh alone, the element, and one whose work is done in workers. */
+/** Examples that `npm test` draws: a mesh alone, the element, and one that uses workers. */
 const QUICK = ['one-mesh', 'strict-csp'];
 
 const folder = fileURLToPath(new URL('../output/examples', import.meta.url));
@@ -21,7 +21,7 @@ const three = fileURLToPath(new URL('../../node_modules/three', import.meta.url)
 
 let server: Awaited<ReturnType<typeof serveFolders>>;
 
-// As they are deployed: built, and in a folder of a host.
+// The examples as deployed: built, in a folder of a host.
 test.beforeAll(async () => {
   await buildExamples(folder);
   server = await serveFolders({ '/some/folder/': folder, '/three/': three });
@@ -32,7 +32,7 @@ test.use({ viewport: { width: 320, height: 480 } });
 
 const read = async (place: Locator): Promise<PNG> => PNG.sync.read(await place.screenshot());
 
-/** How much of a picture is dark, how much is light, and how often one turns into the other along a row, in shares of its pixels. */
+/** The shares of dark pixels, of light pixels, and of changes between them along rows. */
 function measure({ data, width, height }: Pick<PNG, 'data' | 'width' | 'height'>) {
   const light = (i: number) => (0.2126 * data[i] + 0.7152 * data[i + 1] + 0.0722 * data[i + 2]) / 255;
   const counts = { dark: 0, bright: 0, edges: 0 };
@@ -196,7 +196,7 @@ test.describe('<hatched-model>', () => {
         await page.keyboard.press('Home');
         await expect.poll(async () => changedShare(home, await pixels(canvas))).toBeLessThan(0.005);
       }
-      // Nothing is drawn while nothing changes.
+      // No frame is drawn without a change.
       await page.evaluate(() => {
         const { drawImage } = CanvasRenderingContext2D.prototype;
         const counted = window as unknown as { frames: number };
@@ -213,7 +213,7 @@ test.describe('<hatched-model>', () => {
       expect(await page.evaluate(() => (window as unknown as { frames: number }).frames)).toBeLessThan(4);
     });
 
-    // As it was.
+    // The first picture again.
     await first.evaluate((element) => element.removeAttribute('light'));
     await expect.poll(async () => changedShare(plain, await pixels(first.locator('canvas')))).toBeLessThan(0.005);
 
@@ -245,7 +245,7 @@ test.describe('<hatched-model>', () => {
       await screen.send('Emulation.setDeviceMetricsOverride', { ...viewport, deviceScaleFactor: 2, mobile: false });
       const dense = await pixels((await openElements(page)).locator('canvas'));
       expect([dense.width, dense.height]).toEqual([2 * plain.width, 2 * plain.height]);
-      // Where four pixels of the one are ink, the other has ink, and the same for paper.
+      // Where four neighbouring pixels of one picture are ink the other has ink, and the same for paper.
       let same = 0;
       let opposite = 0;
       for (let i = 0; i < plain.width * plain.height; i++) {
@@ -374,7 +374,7 @@ test.describe('<hatched-model>', () => {
           textures: [texture(0)],
         }),
       }),
-      // With another picture beside the one that is not there.
+      // One picture is missing, another is there.
       'both.glb': columnGlb({
         still: true,
         changes: ({ images }) => ({
@@ -396,7 +396,7 @@ test.describe('<hatched-model>', () => {
       ${['draco', 'draco', 'ktx2', 'meshopt'].map((name) => `<hatched-model src="${name}.glb" color-fill="1" alt="${name}"></hatched-model>`).join('')}`;
     await page.route(`${server.url}/packed/**`, (route) => {
       const name = new URL(route.request().url()).pathname.replace('/packed/', '');
-      // As hosts of single pages do: what is not there is the page.
+      // Hosts of single-page applications serve the page for missing files.
       return name in files
         ? route.fulfill({ body: files[name] })
         : route.fulfill({ contentType: 'text/html; charset=utf-8', headers, body: html });
@@ -452,7 +452,7 @@ test.describe('<hatched-model>', () => {
     expect(measure(await read(meshopt)).edges).toBeGreaterThan(0.01);
     expect(asked.filter((address) => /DRACO|KTX2|ktx-parse|\/(draco|basis)\//.test(address))).toEqual([]);
 
-    // With a slash at its end and without it, it is one folder.
+    // A folder with and without its final slash.
     await elements(page).evaluateAll((all, path) => {
       Object.assign(all[0], { dracoPath: `${path}/draco/gltf` });
       all[1].setAttribute('draco-path', `${path}/draco/gltf/`);

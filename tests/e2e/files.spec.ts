@@ -48,7 +48,7 @@ test('models of every format are drawn when dropped', { tag: '@more' }, async ({
     ['draco.glb', '16 triangles', [file('draco.glb', await octahedronDracoGlb())]],
     ['binary.stl', '8 triangles', [file('binary.stl', octahedronBinaryStl())]],
     ['ascii.stl', '8 triangles', [file('ascii.stl', octahedronAsciiStl)]],
-    // It moves: its materials stay apart, and where they meet are borders.
+    // A moving model keeps its materials apart, with borders between them.
     ['box.fbx', '12 triangles, 24 border edges', [file('box.fbx', fbx(7300, true))]],
     ['box.dae', '12 triangles', [file('box.zip', Buffer.from(zip({ 'box.dae': dae() })))]],
     ['box.usdz', '12 triangles', [file('box.usdz', Buffer.from(zip({ 'box.usda': usda() }, 0)))]],
@@ -141,7 +141,7 @@ test('cameras, lights and variants of a glTF file can be chosen', { tag: '@all' 
   await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'true');
   const black = await readDrawing(page);
   expect(meanInk(black)).toBeGreaterThan(1.2 * meanInk(first));
-  // It is a step, and the page's address brings it back.
+  // The change is a step of undo, and the page's address restores it.
   expect(new URLSearchParams(await writtenHash(page)).get('variant')).toBe('2');
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(variants.nth(1)).toHaveAttribute('aria-pressed', 'false');

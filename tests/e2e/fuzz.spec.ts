@@ -4,7 +4,7 @@ import { expect, test } from '../browser/test.js';
 
 test.use({ viewport: { width: 320, height: 260 }, contextOptions: { reducedMotion: 'reduce' } });
 
-/** Of one kind each; some give models, some are refused. `npm run fuzz -- --browser` drops hundreds. */
+/** One damaged file of each kind; some become models, some are refused. `npm run fuzz -- --browser` drops hundreds. */
 const CASES: [kind: string, seed: number][] = [
   ['glb', 16],
   ['gltf', 49],
@@ -51,7 +51,7 @@ test('damaged files leave the page drawing, silent and on its own', { tag: '@all
   expect(ended.filter(({ outcome }) => outcome === 'good').length).toBeGreaterThan(4);
   expect(ended.filter(({ outcome }) => outcome === 'refused').length).toBeGreaterThan(2);
 
-  // What watches would see it.
+  // The watcher must notice these problems.
   await page.evaluate(() => {
     const gl = document.createElement('canvas').getContext('webgl2')!;
     gl.bufferData(gl.ARRAY_BUFFER, Float32Array.of(1, Number.NaN), gl.STATIC_DRAW);

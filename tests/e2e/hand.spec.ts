@@ -9,7 +9,7 @@ const PLAIN = 'technique=anchored&model=sphere&mapSize=64&mapTones=4';
 interface PenPoint {
   x: number;
   y: number;
-  /** From 0 to 1. */
+  /** Pressure from 0 to 1. */
   force: number;
 }
 
@@ -194,7 +194,7 @@ test('a link brings the hand along, and a reload its very strokes', { tag: '@all
   await page.reload();
   await ready(page);
   expect((await readDrawing(page)).data.equals(own.data)).toBe(true);
-  // As another browser opens it, which keeps nothing.
+  // Opened in another browser, without storage.
   await page.evaluate(() => history.replaceState(null, '', location.href));
   await page.reload();
   await ready(page);
@@ -281,7 +281,7 @@ test('without drawing: a given hand is chosen and varied by keyboard, and the mo
   await page.keyboard.press('Home');
   expect(await numberOf(page, 'Length')).toBeLessThan(length);
   await expect.poll(async () => (await readDrawing(page)).data.equals(brush.data)).toBe(false);
-  // What was varied is none of the given hands.
+  // The varied hand is none of the given hands.
   await expect(given.locator('option:checked')).toHaveText('an empty sheet');
 });
 

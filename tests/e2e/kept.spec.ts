@@ -74,7 +74,7 @@ test("one's own model, its settings and the view survive a reload and Back", asy
   await page.reload();
   await expect(name).toHaveText('octahedron.ply');
   expect(changedShare(before, await readDrawing(page))).toBe(0);
-  // Nothing that was done before can be undone, because nothing of it is there.
+  // Steps before the reload cannot be undone.
   await expect(page.locator('#undo')).toBeDisabled();
 
   await page.getByRole('link', { name: 'Figures' }).click();
@@ -120,7 +120,7 @@ test("one's own model, its settings and the view survive a closed page, until th
   await expect(later.locator('#model-name')).toHaveText('octahedron.ply');
   expect(changedShare(before, await readDrawing(later))).toBe(0);
 
-  // What would be written after it was forgotten would be kept again.
+  // A write after the drawing was forgotten would store it again.
   await kept(later);
   await later.getByRole('button', { name: 'Recent' }).click();
   await later.getByRole('button', { name: 'Forget octahedron.ply' }).click();
@@ -216,9 +216,9 @@ test('a browser that keeps nothing, or has no room, says so in one sentence, onc
     await expect(status).toHaveText('');
   }
 
-  // One that does not answer at all: a reload goes on without it, and so does the page's address.
+  // Storage that never answers: page and address work without it.
   await page.goto(`./?silent#${LINK}`);
-  // Nothing is left that would write over what follows.
+  // No pending write can replace what follows.
   await writtenHash(page);
   await page.evaluate(() => history.replaceState({ drawing: 'a' }, ''));
   await page.reload();

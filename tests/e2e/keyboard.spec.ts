@@ -29,7 +29,7 @@ async function goTo(page: Page, wanted: Locator): Promise<string> {
   throw new Error(`No stop of the Tab key is ${wanted}.`);
 }
 
-/** What the focused control saves, when the Enter key is pressed. */
+/** The file that the focused control saves when Enter is pressed. */
 async function saved(page: Page): Promise<{ name: string; content: Buffer }> {
   const download = page.waitForEvent('download');
   await page.keyboard.press('Enter');

@@ -1,11 +1,11 @@
 type Colour = readonly [red: number, green: number, blue: number];
 
 const SIGNATURE = [0x58544bab, 0xbb303220, 0x0a1a0a0d];
-/** Of a block of 4 × 4 pixels in UASTC, in bytes. */
+/** Bytes of a block of 4 × 4 pixels in UASTC. */
 const BLOCK = 16;
 /** Says that a block has one colour, in so many bits. */
 const MODE = { code: 0x17, bits: 5 } as const;
-/** Where the description of the format begins, how long it is, and where the pixels begin, at a multiple of a block. */
+/** Offset and length of the format descriptor, and offset of the pixels, a multiple of the size of a block. */
 const DESCRIPTION = { at: 104, length: 44 } as const;
 const PIXELS = 160;
 
@@ -14,10 +14,10 @@ export function ktx2Picture(colours: readonly Colour[]): Buffer {
   const blocks = Buffer.concat(colours.map(block));
   const words = [
     ...SIGNATURE,
-    // No format of graphics cards, in bytes; width, height, depth, layers, faces, levels, no packing of the whole.
+    // Undefined vkFormat, type size 1; width, height, depth, layers, faces, levels; no supercompression.
     ...[0, 1, 4 * colours.length, 4, 0, 0, 1, 1, 0],
     ...[DESCRIPTION.at, DESCRIPTION.length],
-    // No notes, and no data for all levels.
+    // No key/value data, and no global data of the compression.
     ...[0, 0, 0, 0, 0, 0],
     // The level: where, how long, and how long unpacked; in 64 bits each.
     ...[PIXELS, 0, blocks.length, 0, blocks.length, 0],

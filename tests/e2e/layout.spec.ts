@@ -5,10 +5,10 @@ import { cases } from '../selection.mjs';
 import { TYPEWRITER, widenLetters } from './wideLetters.js';
 
 const WIDTHS = [320, 375, 600, 820, 1000, 1280, 1920, 3840];
-/** What is added to each letter. */
+/** Space added to each letter. */
 const SPACINGS = ['0', TYPEWRITER];
 
-/** What is wrong with the frame around the drawing: cut off, outside of the window, or over its neighbour. */
+/** Faults of the frame around the drawing: cut off, outside the window, or over its neighbour. */
 function findFaults(): string[] {
   const faults: string[] = [];
   const nameOf = (element: Element) =>
@@ -60,7 +60,7 @@ function findFaults(): string[] {
   return faults;
 }
 
-/** What cannot be used: controls that no scrolling brings into the window, or that something else lies over. */
+/** Unusable controls: those that no scrolling brings into the window, or that are covered. */
 function findUnreachable(): string[] {
   const faults: string[] = [];
   const all = document.querySelectorAll<HTMLElement>('button, summary, a[href], select, input, [tabindex="0"]');
@@ -83,7 +83,7 @@ async function openAll(page: Page): Promise<void> {
   const toggle = page.getByRole('button', { name: 'Settings' });
   if ((await toggle.isVisible()) && (await toggle.getAttribute('aria-expanded')) === 'false') await toggle.click();
   await page.evaluate(() => {
-    // As after a model of one's own: the bar is as full as it can be.
+    // A user's own model makes the bar as full as it gets.
     document.getElementById('open-recent')!.hidden = false;
     for (const title of document.querySelectorAll<HTMLElement>('.lil-gui .lil-closed > .lil-title')) title.click();
   });

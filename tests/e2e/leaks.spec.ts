@@ -20,7 +20,7 @@ test.use({ viewport: { width: 320, height: 260 }, contextOptions: { reducedMotio
 const ROUNDS = 3;
 /** Small pictures and maps, so that rounds are short. */
 const SMALL = 'mapSize=64&mapTones=4';
-/** What may be more or less by chance: an idle worker ends by itself, downloads keep their address for a while. */
+/** Objects whose number varies: idle workers end by themselves, downloads keep their URL for a while. */
 const SLACK: Record<string, number> = { Worker: 1, URL: 1, listeners: 4, nodes: 20, kilobytes: 8 };
 
 const idle = (page: Page) => page.waitForFunction(() => window.__playground!.isIdle);
@@ -80,7 +80,7 @@ test('what is made for models, maps, techniques, comparisons and shadows is give
   expect(grown).toEqual([]);
 });
 
-/** What there is more of than before, once what is freed late has been freed. */
+/** The objects that have become more, after late releases. */
 async function growthSince(page: Page, before: LiveObjects): Promise<string[]> {
   let grown: string[] = [];
   for (let look = 0; look < 10; look++) {

@@ -173,7 +173,7 @@ test('a second light is dragged by a lamp of its own', { tag: '@all' }, async ({
   expect(await lampPlace(page)).toEqual(first);
   expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);
 
-  // It no longer goes with the light.
+  // The second lamp no longer follows the first.
   await dragLamp(page, { x: 20, y: 30 });
   expect(await lampPlace(page)).not.toEqual(first);
   expect(await lampPlace(page, '#second-lamp')).toEqual(second);

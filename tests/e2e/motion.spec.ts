@@ -96,7 +96,7 @@ test.describe('with reduced motion', () => {
     const atFirst = await clips.inputValue();
     await clips.selectOption('Turn');
     await expect(time(page)).toHaveAttribute('max', '2');
-    // It is a step, and the page's address brings it back.
+    // The change is a step of undo, and the page's address restores it.
     expect(await writtenHash(page)).toContain('clip=2');
     await page.getByRole('button', { name: 'Undo' }).click();
     await expect(clips).toHaveValue(atFirst);

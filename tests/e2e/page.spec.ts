@@ -116,7 +116,7 @@ test('what nobody has opened yet opens without a connection, once the page has b
   expect(parts.length).toBeGreaterThan(20);
   await expect(page.locator('link[rel=modulepreload][href^=assets]')).toHaveCount(0);
 
-  // Where Playwright itself takes the network away, a worker that is started neither runs nor fails.
+  // While Playwright blocks the network, a new worker neither runs nor fails.
   await page.route(/^https?:/, (route) => route.abort('internetdisconnected'));
   await page.getByRole('button', { name: 'Gallery' }).click();
   await expect(page.getByRole('heading', { name: 'Gallery' })).toBeVisible();
@@ -240,7 +240,7 @@ test('copies the picture to the clipboard, asked for within the click; where tha
   await page.addInitScript(() => {
     const { write } = Clipboard.prototype;
     Clipboard.prototype.write = function (items) {
-      // Only while a click is handled is there an event.
+      // The event exists only while a click is handled.
       document.documentElement.dataset.asked = window.event?.type ?? 'too late';
       if (location.search === '?refused') return Promise.reject(new DOMException('No.', 'NotAllowedError'));
       return write.call(this, items);
@@ -308,7 +308,7 @@ test.describe('with a touch screen', () => {
       expect(facts).not.toContain('secret');
     }
 
-    // Where the clipboard is not allowed, they are saved as a file.
+    // Without permission for the clipboard, they are saved as a file.
     await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
     const [download] = await Promise.all([page.waitForEvent('download'), copy.press('Enter')]);
     expect(download.suggestedFilename()).toBe('three-hatching-facts.txt');
@@ -428,7 +428,7 @@ test('the keys are shown by ?, H, F1 and a button, but not by a letter in a fiel
   await idle(page);
   await expect(dialog).toBeHidden();
 
-  // Of the longest fold, all is seen that fits into the window.
+  // The longest fold fills the window.
   const seen = await page.evaluate(() => {
     const fold = document.querySelector('.lil-gui .lil-gui:not(.lil-closed)')!.getBoundingClientRect();
     const card = document.querySelector('#card')!.getBoundingClientRect();
@@ -472,7 +472,7 @@ test.describe('a lost graphics context', () => {
     page,
   }) => {
     await openPlayground(page, `${SMALL}&technique=adjacency&shadows=on&ground=shadow`);
-    // With a skin, a morph target and a texture.
+    // A model with a skin, a morph target and a texture.
     await drop(page, [file('column.glb', columnGlb())]);
     await expect(page.locator('#model-name')).toHaveText('column.glb');
     const before = await readDrawing(page);
@@ -495,7 +495,7 @@ test.describe('a lost graphics context', () => {
     await loseContext(page);
     await expect(page.locator('#status')).toHaveText(/again\. This is its last picture/);
     expect(largestDifference(before, await readLastPicture(page))).toBe(0);
-    // What is changed meanwhile is drawn later.
+    // Changes made meanwhile are drawn later.
     await drop(page, [file('octahedron.ply', octahedronPly)]);
     await expect(page.locator('#model-name')).toHaveText('octahedron.ply');
     await expect(page.locator('html')).toHaveAttribute('data-state', 'lost');
@@ -546,7 +546,7 @@ async function copied(page: Page, shown: PNG): Promise<void> {
     .toBe(0);
 }
 
-/** What a page shows that has lost its context, without lamp and focus ring. */
+/** The picture of a page that has lost its context, without lamp and focus ring. */
 async function readLastPicture(page: Page): Promise<PNG> {
   const above = page.locator('.lamp, #drawing, #status');
   const show = (visibility: string) =>
@@ -569,7 +569,7 @@ test('what is missing at the start is said, and not covered by what goes well', 
   await expect(page.locator('html')).toHaveAttribute('data-state', 'failed');
   await expect(status).toHaveText('The dragon could not be fetched: the server answered 404.');
   expect(pageProblems.splice(0).every((problem) => problem.includes('404'))).toBe(true);
-  // Not its fault, and no remedy.
+  // A change of the look neither causes nor mends the failure.
   await page.getByRole('button', { name: 'Settings' }).click();
   await page.getByRole('button', { name: 'Stipple' }).click();
   await idle(page);

@@ -38,7 +38,7 @@ async function forbid(page: Page, policy: string): Promise<void> {
   }, policy);
 }
 
-/** What the browser and the library say of the policy, which they should. */
+/** The expected messages of browser and library about the policy. */
 const ABOUT_THE_POLICY = /Content[ -]Security[ -]Policy/i;
 
 /** Drops models under a policy, each of which needs something that policies forbid. */
@@ -47,14 +47,14 @@ async function expectModelsDrawn(page: Page, pageProblems: string[], policy: str
   await forbid(page, policy);
   await openPlayground(page, 'model=cube&mapSize=64&mapTones=4');
   const before = await readDrawing(page);
-  // With the buffer in a data: URI.
+  // A file with its buffer in a data: URI.
   const uri = `data:application/octet-stream;base64,${octahedronBin().toString('base64')}`;
   await drop(page, [file('inside.gltf', octahedronGltf(uri))]);
   await expect(name).toHaveText('inside.gltf');
-  // With a decoder that is fetched.
+  // A file that needs a fetched decoder.
   await drop(page, [file('draco.glb', await octahedronDracoGlb())]);
   await expect(name).toHaveText('draco.glb');
-  // With a picture within.
+  // A file with an embedded picture.
   await drop(page, [file('column.glb', columnGlb())]);
   await expect(name).toHaveText('column.glb');
   expect(changedShare(before, await readDrawing(page))).toBeGreaterThan(0.05);

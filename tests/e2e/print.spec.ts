@@ -171,7 +171,7 @@ test('the sheet that is chosen is framed over the drawing, which is composed for
   expect(changedShare(before, await readDrawing(page))).toBe(0);
 });
 
-/** What is drawn within the frame of the sheet. */
+/** The drawing within the frame of the sheet. */
 async function readSheet(page: Page): Promise<PNG> {
   const [view, frame] = [
     (await page.locator('#viewport').boundingBox())!,
@@ -218,7 +218,7 @@ test('tiles meet without a seam, and a large picture can be given up', { tag: '@
     type: 'seams',
     description: `${changedShare(cut, same)} of the pixels differ, ${far} of the values by more than 24`,
   });
-  // What is left is rounding, at edges of strokes here and there: seen by nobody. A seam would be a row of pixels, a 2,000th of them.
+  // The rest is rounding at a few edges of strokes. A seam would be a row of pixels, a 2,000th of all.
   expect(changedShare(cut, same)).toBeLessThan(0.001);
   expect(far).toBeLessThan(0.00002);
 

@@ -11,7 +11,7 @@ test('programs of another technique are ready before anything is drawn with them
     const gl = document.querySelector<HTMLCanvasElement>('#drawing')!.getContext('webgl2')!;
     const seen = { linked: 0, early: 0 };
     const building = new Set<WebGLProgram>();
-    /** What was handed to the driver before each fence. */
+    /** The programs given to the driver before each fence. */
     const before = new Map<WebGLSync, WebGLProgram[]>();
     const { linkProgram, fenceSync, getSyncParameter, useProgram } = gl;
     gl.linkProgram = (program) => {

@@ -24,7 +24,7 @@ const LINES = 'model=knot&technique=engraved&shadows=on&ground=floor';
 declare global {
   interface Window {
     /**
-     * What the page has on the graphics card, as the tests have counted it, and how many programs of WebGPU are being built for a frame
+     * Objects on the graphics card, as counted by the tests, and the number of programs of WebGPU that are being built for a frame
      * that waits for them.
      */
     __held?: { programs: number; textures: number; devices: number; awaited: number; lose: () => void };
@@ -194,7 +194,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   expect((await held(page)).textures).toBeLessThanOrEqual(usual.textures);
   await expect(note(page)).toBeEmpty();
 
-  // Both choices are steps.
+  // Both choices are steps of undo.
   await page.getByRole('button', { name: 'Undo' }).click();
   await idle(page);
   await expect(nodeScreen(page)).toBeVisible();

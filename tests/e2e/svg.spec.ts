@@ -149,7 +149,7 @@ test('strokes of a map leave as a picture below the outlines, which are not in i
   const picture = pictureIn(svg)!;
   expect([picture.width, picture.height]).toEqual([WIDE, HIGH]);
   expect(changedShare(picture, bare)).toBe(0);
-  // With its outlines it is what the page saves: the same ink, in the same places.
+  // With its outlines it equals the file that the page saves: the same ink in the same places.
   const drawn = await rasterized(page, svg, WIDE, HIGH);
   expect(meanInk(drawn) / meanInk(whole)).toBeCloseTo(1, 1);
   const [withLines, without] = [farShare(drawn, whole), farShare(bare, whole)];

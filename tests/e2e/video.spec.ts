@@ -20,7 +20,7 @@ async function record(page: Page): Promise<{ name: string; content: Buffer }> {
   return { name: file.suggestedFilename(), content: await readFile(await file.path()) };
 }
 
-/** What a browser plays of a video: its facts, its first picture, and those at some times, as data URLs. @param rate its frames a second */
+/** Facts of a video as a browser plays it, with its first picture and those at some times as data URLs. @param rate frames a second */
 async function play(page: Page, content: Buffer, rate: number, times: readonly number[]) {
   return page.evaluate(
     async ([base64, frameRate, seconds]) => {
@@ -128,7 +128,7 @@ test('where no video is encoded, its frames are saved as pictures; what is lost 
   const steps = frames.map((frame, i) => changedShare(frame, frames[(i + 1) % frames.length]));
   test.info().annotations.push({ type: 'steps', description: steps.map((step) => step.toFixed(3)).join(' ') });
   expect(Math.min(...steps)).toBeGreaterThan(0.01);
-  // No step is larger than the others: not the one from the last frame to the first, either.
+  // Steps from frame to frame are equally large, including that from the last frame to the first.
   expect(Math.max(...steps)).toBeLessThan(3 * Math.min(...steps));
 
   // Before anything moves, a frame is the picture of its size.
@@ -141,7 +141,7 @@ test('where no video is encoded, its frames are saved as pictures; what is lost 
   await page.getByRole('button', { name: 'Settings' }).click();
   const shown = await readDrawing(page);
   await page.getByRole('button', { name: 'Settings' }).click();
-  // What goes wrong can be read beside the open settings.
+  // Errors can be read beside the open settings.
   await page.getByRole('combobox', { name: 'Motion' }).selectOption('The model’s own');
   await page.getByRole('button', { name: 'Record a video' }).press('Enter');
   const error = page.locator('#status');
@@ -154,7 +154,7 @@ test('where no video is encoded, its frames are saved as pictures; what is lost 
   await length.fill('30');
   await length.press('Enter');
 
-  // It is lost with the film, which is no fault of its size, and offered again at once.
+  // The context is lost during the film, which is not blamed on the size; saving is offered again at once.
   const downloads: unknown[] = [];
   page.on('download', (one) => downloads.push(one));
   const again = page.getByRole('button', { name: 'Record it again' });

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 
-/** What makes letters of the one font that the browser has as wide as those of a typewriter: no font of a reader is wider. */
+/** CSS that makes letters as wide as those of a typewriter: no reader's font is wider. */
 export const TYPEWRITER = '0.07em';
 
 /** Widens all letters of the page, as another font would. @param spacing what is added to each, a length in CSS */

@@ -7,7 +7,7 @@ const TIMEOUT_MILLISECONDS = 60_000;
 /** A small map, because its size takes time and proves nothing. */
 const SMALL = 'mapSize=64&mapTones=4';
 
-/** What is tried one after the other on one page, by what it shows. */
+/** Checks that run one after another on one page, by title. */
 export const checks = {
   'the page opens and draws': async ({ page, address }) => {
     await page.goto(`${address}#${SMALL}&model=sphere`);
@@ -146,7 +146,7 @@ function changedShare(one, other) {
   return changed / (one.data.length / 4);
 }
 
-/** What `look` finds, as soon as it finds anything. */
+/** The first truthy result of `look`, which is called until there is one. */
 async function until(look) {
   for (let waited = 0; waited < TIMEOUT_MILLISECONDS; waited += 100) {
     const found = look();

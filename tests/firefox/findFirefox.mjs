@@ -33,7 +33,7 @@ export async function startDisplay(xvfb) {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
   });
   const display = await new Promise((resolve, reject) => {
-    // It writes its number when it is ready.
+    // Xvfb writes its display number when it is ready.
     server.stdio[3].once('data', (number) => resolve(`:${String(number).trim()}`));
     server.once('error', reject);
     server.once('exit', () => reject(new Error('startDisplay: Xvfb ended before it was ready.')));

@@ -34,7 +34,7 @@ async function run() {
       browser: 'firefox',
       executablePath: firefox,
       headless: false,
-      // What draws is Mesa's llvmpipe, on the processor.
+      // Mesa's llvmpipe draws, on the processor.
       env: { ...process.env, DISPLAY: screen.display, LIBGL_ALWAYS_SOFTWARE: '1' },
       defaultViewport: { width: 1100, height: 700 },
       extraPrefsFirefox: {

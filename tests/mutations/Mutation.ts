@@ -1,10 +1,10 @@
 /** A small break of the source, and the test that must fail with it. */
 export interface Mutation {
-  /** What is broken, in a few words. */
+  /** The broken behaviour, in a few words. */
   name: string;
   /** The broken file, from the root of the project. */
   file: string;
-  /** What is replaced. It occurs once in the file. */
+  /** The text to replace. It occurs once in the file. */
   find: string;
   replace: string;
   caughtBy: {

@@ -13,7 +13,7 @@ import { runCatcher, stopCatcher } from './runCatcher.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
-/** What the broken file held before. */
+/** The original text of the broken file. */
 let whole;
 const mend = () => {
   if (whole) writeFileSync(whole.path, whole.text);
@@ -68,7 +68,7 @@ async function tryAll() {
   if (caught < breaks.length) process.exitCode = 1;
 }
 
-/** Which selection catches the break, if one does. */
+/** The selection of tests that catches the break, if any. */
 async function tryBreak({ file, find, replace, caughtBy }) {
   const path = `${root}${file}`;
   const text = readFileSync(path, 'utf8');

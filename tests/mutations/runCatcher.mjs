@@ -21,7 +21,7 @@ export function stopCatcher() {
   try {
     if (running?.pid) process.kill(-running.pid, 'SIGTERM');
   } catch {
-    // It has ended.
+    // The process has ended already.
   }
 }
 

@@ -26,7 +26,7 @@ const titles = {
   detail: 'Large models',
 };
 
-/** What the numbers of each benchmark mean. */
+/** The meaning of the numbers of each benchmark. */
 const notes = {
   frame: `Every technique is drawn on every layout that it can draw, and compared with three's \`MeshPhongMaterial\` on the geometry of the \`corner\` layout and
 on the plain indexed one, and with \`adjacency\`. All are drawn in turn in one page, every other turn backwards. A frame is timed from its first command until

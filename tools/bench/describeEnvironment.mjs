@@ -5,7 +5,7 @@ import { describeRenderer } from '../browser/describeRenderer.mjs';
 const git = (...args) => execFileSync('git', args, { encoding: 'utf8' }).trim();
 
 /**
- * What figures depend on beside the code, and which code that was. HATCH_RASTERISER says who draws.
+ * The environment of a measurement and the commit. HATCH_RASTERISER names the rasterizer.
  *
  * @throws when another rasteriser draws than was asked for.
  */

@@ -14,7 +14,7 @@ import { table, withInterval } from './table.mjs';
 
 const EFFORT = { turns: 9, milliseconds: 0 };
 
-/** What is measured, each in a page of its own. */
+/** The measurements, each in its own page. */
 const FIGURES = {
   'a frame of dragon48k, engraved': async (measure) =>
     (await measure('comparedFrames', 'dragon48k', 'indexed', ['engraved'], EFFORT, 512)).engraved,

@@ -1,4 +1,4 @@
-/** What the benchmarks know of the library beyond its public names: the bake and the maps, step by step. */
+/** Internals of the library that the benchmarks use: the steps of the bake and of the maps. */
 
 export { buildTriangleAdjacency, consistentTwins } from '../../src/mesh/adjacency/buildTriangleAdjacency.js';
 export { joinBorders } from '../../src/mesh/adjacency/joinBorders.js';

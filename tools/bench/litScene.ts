@@ -1,6 +1,6 @@
 import { DirectionalLight, PerspectiveCamera, Scene } from 'three';
 
-/** What a model with a bounding radius of 1 is drawn in: a scene with a sun, and a camera before it. */
+/** A scene with a sun, and a camera, for a model with a bounding radius of 1. */
 export function litScene(): { scene: Scene; camera: PerspectiveCamera; sun: DirectionalLight } {
   const sun = new DirectionalLight(0xffffff, Math.PI);
   sun.position.set(1, 1, 1);

@@ -26,7 +26,7 @@ const rasterisers = values.rasteriser ? [values.rasteriser] : ['swiftshader', 'l
 const folder = fileURLToPath(new URL(values.quick ? '../../tests/output/bench/' : './results/', import.meta.url));
 mkdirSync(folder, { recursive: true });
 
-// What is measured quickly counts for nothing, so one browser will do for all. Else each benchmark has a new one.
+// With --quick the numbers are discarded, so one browser serves all benchmarks. Otherwise each has a new one.
 const shared = new Map();
 const open = async (rasteriser) => ({
   environment: await describeEnvironment(),

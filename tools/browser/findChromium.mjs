@@ -54,7 +54,7 @@ export async function findChromium() {
   );
 }
 
-/** Where operating systems install a Chromium, the most common place first. */
+/** Paths where operating systems install a Chromium, the most common first. */
 function systemCandidates() {
   if (process.platform === 'darwin') {
     return ['/Applications', join(process.env.HOME ?? '', 'Applications')].flatMap((folder) => [

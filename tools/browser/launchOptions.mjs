@@ -9,14 +9,14 @@ const rasterisers = {
   gpu: ['--use-gl=angle', ...(process.platform === 'linux' ? ['--use-angle=gl-egl'] : []), '--ignore-gpu-blocklist'],
 };
 
-/** What further lets Chromium on Linux have WebGPU, which it has by itself on other systems with a card. */
+/** Further flags for WebGPU in Chromium on Linux; other systems with a card need none. */
 const withWebGPU = {
   swiftshader: ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'],
   llvmpipe: ['--enable-unsafe-webgpu'],
   gpu: ['--enable-unsafe-webgpu'],
 };
 
-/** Where software draws, the process for graphics ends when a canvas of WebGPU is shown, unless the compositor draws by Vulkan too. */
+/** With a software rasterizer the GPU process ends when a canvas of WebGPU is shown, unless the compositor uses Vulkan too. */
 const showingWebGPU = { swiftshader: ['--enable-features=Vulkan', '--use-vulkan=swiftshader'], llvmpipe: [], gpu: [] };
 
 /** Without these flags Chromium calls its maker's hosts, which only costs time on a closed network. */

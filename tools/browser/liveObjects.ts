@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 
-/** How many objects of each kind there are: GL objects, workers, blobs with an address, event listeners, elements. */
+/** Number of objects of each kind: GL objects, workers, blobs with a URL, event listeners, elements. */
 export type LiveObjects = Record<string, number>;
 
 declare global {

@@ -5,9 +5,9 @@ import type { OcclusionScene } from '../../src/mesh/occlusion/OcclusionScene.js'
 import { startOcclusion } from '../../src/mesh/occlusion/startOcclusion.js';
 import { type ModelFile, readModel } from '../../src/viewer/files/readModel.js';
 
-/** As many as `bakeOcclusion` looks in by default, and as it counts them: two by two. */
+/** The default number of rays of `bakeOcclusion`, counted in pairs. */
 const PAIRS = 192;
-/** What stands for a vertex that sees nothing of the sky, in the bake and in the file. */
+/** The value of a vertex that sees nothing of the sky, in the bake and in the file. */
 const [BAKED_ONE, FILE_ONE] = [0x7fff, 0xff];
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -46,7 +46,7 @@ export async function bakeModelOcclusion(file: ModelFile): Promise<Uint8Array> {
   return packed(occlusion, indices, positions.length / 3);
 }
 
-/** As `writeOcclusion` reads it. @param occlusion of each corner */
+/** Encodes occlusion as `writeOcclusion` reads it. @param occlusion of each corner */
 function packed(occlusion: Int16Array, indices: Uint32Array, vertices: number): Uint8Array {
   const ofCorners = Array.from(occlusion, (one) => Math.round((FILE_ONE * one) / BAKED_ONE));
   const bytes = new Array<number>(vertices).fill(0);

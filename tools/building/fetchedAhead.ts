@@ -34,7 +34,7 @@ close();
 `;
 
 /**
- * What runs before the first scripts are there: graphics are set up, and a worker fetches and reads the first model, if the address asks
+ * The script that runs before the first modules are loaded: graphics are set up, and a worker fetches and reads the first model, if the address asks
  * for no other. `rendererAhead` and `takeReadAhead` take what comes of it. Where this script comes late, the page has done so itself.
  */
 const scriptAhead = (graphics: string, model: string, worker: string): string => `if (!self.hatchingHasBegun) {

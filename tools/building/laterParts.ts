@@ -1,11 +1,11 @@
 import type { Plugin } from 'vite';
 
-/** Where the built playground finds the list. */
+/** The path of the list in the built playground. */
 const NAME = 'parts.json';
 
 /** Packages that are imported for their data, models, and not for code. */
 const MODELS = /\/node_modules\/(?!three\/)/;
-/** What draws with WebGPURenderer is as large as all the rest, and fetched by those who choose it. */
+/** The code for WebGPURenderer, which is as large as all the rest and fetched only when it is chosen. */
 const CHOSEN = /\/src\/playground\/viewport\/(?:NodeScreen|nodeScreen)\.ts$/;
 
 let root = '';

@@ -9,7 +9,7 @@ const SOURCES: Readonly<Record<string, string>> = {
 };
 const PAGES = Object.keys(SOURCES);
 
-/** What the build starts from, as paths below the root: the playground's page, and one in a folder for each other page. */
+/** The entries of the build, as paths below the root: the playground's page, and one in a folder for each other page. */
 export const pageInputs = ['index.html', ...PAGES.map((page) => `${page}/index.html`)];
 
 /**

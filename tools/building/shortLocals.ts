@@ -35,7 +35,7 @@ export function withShortLocals(text: string, shared: ReadonlySet<string>): stri
   return short + text.slice(end);
 }
 
-/** Where the brace that opens at a place closes. */
+/** The index of the brace that closes the one at an index. */
 function closing(text: string, open: number): number {
   let depth = 0;
   let at = open;

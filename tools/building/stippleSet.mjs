@@ -32,7 +32,7 @@ function random() {
 const quarters = Uint8Array.from({ length: cells }, () => Math.floor(4 * random()));
 let points = pointsOf(quarters);
 
-/** How close others are to a point at (px, py) in units of cells, in cell (x, y). */
+/** The crowding of a point at (px, py), in units of cells, in cell (x, y). */
 function crowding(x, y, px, py) {
   let sum = 0;
   for (let dy = -2; dy <= 2; dy++) {
@@ -91,7 +91,7 @@ for (const sharpness of [2.5, 2.5, 3]) {
   }
 }
 
-/** How close points that are born are to that of a cell of half the size. */
+/** The crowding of the point of a cell of half the size, among the points that have appeared. */
 function crowdingAmongAlive(cx, cy, sharpness) {
   const own = 2 * at(cx, cy);
   let sum = 0;

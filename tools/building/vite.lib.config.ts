@@ -17,14 +17,14 @@ const ENTRIES: Record<string, Record<string, string>> = {
 const modules = (...paths: readonly string[]): RegExp => new RegExp(`/src/(?:${paths.join('|')})\\.ts$`);
 
 /**
- * What pages use alone: each has a file of its own, with all that it imports and that those before it do not have. Bundlers move whole files
+ * Modules that pages use alone: each has its own file, with all its imports that earlier ones do not have. Bundlers move whole files
  * between what a page loads at once and what it loads later, and many small ones that both need would be many requests.
  */
 const SEPARATE = [
   { name: 'HatchingMaterial', test: modules('material/HatchingMaterial') },
-  // What materials and bakes share is not in the files of bakes, which come later.
+  // Shared by materials and bakes, whose files are loaded later.
   { name: 'layouts', test: modules('mesh/bake/attributeLayouts') },
-  // What is checked at once, for work that comes later.
+  // Checks that run at once, for work that is loaded later.
   {
     name: 'checks',
     test: modules(
@@ -37,7 +37,7 @@ const SEPARATE = [
     ),
   },
   { name: 'describeObject', test: modules('material/diagnostics/describeObject') },
-  // Of vertices, which are read later.
+  // Checks of vertices, which are read later.
   { name: 'checkGeometry', test: modules('material/geometry/checkGeometry') },
   { name: 'prepareHatchingGeometry', test: modules('material/geometry/prepareHatchingGeometry') },
   { name: 'toothMap', test: modules('material/tam/toothMap') },
@@ -85,7 +85,7 @@ const nothingOfOthers: Plugin = {
   },
 };
 
-/** Where the entries of the library lie, for those that import them as any page does. */
+/** Paths of the library's entries, for entries that import the library as any page does. */
 const OWN_ENTRIES = {
   'three-hatching': './index.js',
   'three-hatching/facts': './facts.js',
@@ -133,7 +133,7 @@ export default defineConfig(
           chunkFileNames: mode === 'draw' ? 'draw.[name].js' : '[name].js',
           // Tells frameworks that run components on the server that these run in the browser.
           ...(mode === 'react' && { banner: "'use client';" }),
-          // So a page without a bundler needs no entry in its import map for the library, and the command finds it wherever it lies.
+          // A page without a bundler then needs no entry in its import map for the library, and the command finds it anywhere.
           ...((mode === 'element' || mode === 'draw') && { paths: OWN_ENTRIES }),
           // Passes lie in one folder: each further one names what its files share after itself.
           codeSplitting: {

@@ -3,7 +3,7 @@ import { FigureDrawing, type TechniqueChoice } from './FigureDrawing.js';
 import type { FigurePainter } from './FigurePainter.js';
 import type { Figure, Panel } from './figures.js';
 
-/** What a panel needs from the page. */
+/** The page's services for a panel. */
 export interface PanelContext {
   ink: string;
   paper: string;

@@ -6,7 +6,7 @@ import type { HatchingMaterialOptions, HatchingOutlineParameters, PresetName, St
 import { PRESET_LABELS, PRESET_NAMES } from '../../src/viewer/settings/presetLabels.js';
 import type { FigureModelName } from './figureModels.js';
 
-/** How a part of a panel's model is drawn, where it differs from the rest of the figure. */
+/** The look of a part of a panel's model, where it differs from the rest of the figure. */
 export interface Look
   extends Partial<
     Pick<
@@ -48,14 +48,14 @@ export interface PanelLight {
   reflected?: number;
 }
 
-/** What the panels of a figure share. Each panel may override it. */
+/** Settings that the panels of a figure share. Each panel may override them. */
 interface PanelDefaults {
   model: FigureModelName;
   light: PanelLight;
   look?: Look;
   /** Direction from the model to the eye. */
   view?: Triple;
-  /** How many times larger the picture is than one that the model just fills. */
+  /** Size of the picture relative to one that the model just fills. */
   zoom?: number;
 }
 

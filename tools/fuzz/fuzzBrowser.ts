@@ -5,7 +5,7 @@ import { type FuzzOutcome, fuzzPage, QUESTIONS } from './fuzzPage.js';
 import { PAGE_KINDS } from './goodFiles.js';
 import { watchPage } from './watchPage.js';
 
-/** How the cases of one kind of file ended. */
+/** The outcomes of the cases of one kind of file. */
 interface Sums {
   cases: number;
   good: number;
@@ -57,7 +57,7 @@ export async function fuzzBrowser(
       say(`${kind}, seed ${seed}: the model cannot be seen.`);
     }
     if (longest > sums['longest block, ms']) Object.assign(sums, { 'longest block, ms': longest, 'its seed': seed });
-    // This is no failure: a busy machine takes longer to compile the programs of the first frame.
+    // Not a failure: a busy machine takes longer to compile the programs of the first frame.
     if (longest > MAX_BLOCK_MILLISECONDS) say(`${kind}, seed ${seed}: the page stood still for ${longest} ms.`);
     if (wrong.length > 0) sums.failed++;
     for (const one of wrong) failures.push(`${kind}, seed ${seed}: ${one}`);

@@ -17,14 +17,14 @@ export interface FuzzCase {
   seed: number;
 }
 
-/** How a case ended. */
+/** The outcome of a case. */
 export interface FuzzOutcome extends FuzzCase {
   outcome: 'good' | 'refused';
   /** Whether a model was read but cannot be seen. The damage may be the reason, for instance an opacity of 0. */
   isBlank: boolean;
   /** Milliseconds of the longest task on the main thread. */
   longest: number;
-  /** What went wrong. */
+  /** The problem. */
   failures: string[];
 }
 
@@ -35,9 +35,9 @@ interface FuzzOptions {
   onCase: (outcome: FuzzOutcome) => void;
 }
 
-/** What the page shows between cases. Its map is small, because its size takes time and proves nothing. */
+/** The page between cases. Its map is small, since a large one only takes time. */
 const REST = 'model=cube&mapSize=64&mapTones=4';
-/** So many cases are tried before a look at whether the page still draws what it drew at first. */
+/** Number of cases between checks that the page still draws its first picture. */
 const CASES_BETWEEN_LOOKS = 10;
 
 /**
@@ -56,7 +56,7 @@ export async function fuzzPage(
   const rest = `${REST}&${settings}`;
   await page.goto(`${address}#${rest}`);
   await ready(page);
-  // What lies over the drawing is no part of it.
+  // Elements over the drawing are hidden.
   await page.evaluate(() => {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync('#viewport > :not(canvas) { visibility: hidden !important }');
@@ -104,7 +104,7 @@ async function dropFiles(page: Page, kind: string, seed: number): Promise<void> 
   await idle(page);
 }
 
-/** What has come of a case. @throws Error if what users are told of it is not plain */
+/** The outcome of a case. @throws Error if the message to the user is not plain */
 async function outcomeOn(page: Page): Promise<FuzzOutcome['outcome']> {
   const { status, isRefused, caption } = await page.evaluate(() => {
     const line = document.querySelector('#status')!;

@@ -157,7 +157,7 @@ export function mutate(drop: GoodDrop, random: Random): ModelFile[] {
   const times = random.pick([0, 1, 1, 1, 2, 3, 6]);
   const chosen = random.below(drop.length);
   const files = drop.flatMap((file, i) => write(file, i === chosen ? times : 0, random));
-  // One of the files is missing.
+  // Removes one of the files.
   if (files.length > 1 && random.chance(0.15)) files.splice(1 + random.below(files.length - 1), 1);
   return files.map(([name, content]) => ({ name, content: new Blob([content as Uint8Array<ArrayBuffer>]) }));
 }

@@ -2,12 +2,12 @@ import type { Page } from '@playwright/test';
 
 declare global {
   interface Window {
-    /** What the page did since the last call, recorded by {@link watchPage}. */
+    /** Events of the page since the last call, recorded by {@link watchPage}. */
     __watch?: { longest: number; complaints: string[]; takeTasks(): void };
   }
 }
 
-/** What the page did since the last call. */
+/** Events of the page since the last call. */
 export interface PageWatch {
   /** Milliseconds of the longest task on the main thread; 0 if none was longer than 50. */
   longest: number;

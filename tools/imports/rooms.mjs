@@ -19,7 +19,7 @@ export const ROOMS = {
   'index.ts': ['mesh', 'strokes', 'worker', 'look', 'material', 'scene'],
   'facts.ts': ['look', 'material', 'scene'],
 
-  // These import the library by its package name, as its users do; what they import besides is no part of its interface.
+  // These import the library by its package name, as users do; their other imports are no part of its interface.
   react: [],
   element: [],
   viewer: ['mesh', 'strokes', 'scene'],

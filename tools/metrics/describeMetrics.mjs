@@ -17,7 +17,7 @@ const colours = {
 };
 const techniques = Object.keys(colours);
 
-/** Where the i-th entry of the legend begins: each is a short line and a name. */
+/** The position of the i-th entry of the legend: a short line and a name. */
 const legendAt = (i) => techniques.slice(0, i).reduce((x, { length }) => x + 44 + 7 * length, 24);
 
 const figure = (value) =>

@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const others = join(root, '../shared/models');
 
-/** What is drawn: models of the metrics, files of the examples, and files of other people where they lie beside the repository. */
+/** The models: those of the metrics, of the examples, and files of other people if they lie beside the repository. */
 const MODELS = ['sphere', 'torus', 'cube', 'bunny', 'dragon11k', 'dragon48k'];
 const FILES = {
   fish: [join(root, 'examples/models'), 'fish.glb'],
@@ -21,10 +21,10 @@ const FILES = {
   Lantern: [others, 'Lantern.gltf', 'Lantern.bin', 'Lantern_emissive.png', 'Lantern_normal.png'],
 };
 
-/** How far drawings as lines may be from the canvas. */
+/** The largest differences of vector drawings from the canvas. */
 const LIMITS = { mean: 0.012, p99: 0.045, ink: 0.015 };
 
-/** Where the part of the page begins that describes these. */
+/** The heading of the section that describes vector drawings. */
 const HEADING = '## Drawings as lines';
 
 /**
@@ -57,7 +57,7 @@ export async function measureAllLines(page, only = []) {
   return lines;
 }
 
-/** What is farther from the canvas than it may be, in a line each. @param {Record<string, ModelLines>} lines */
+/** Drawings that differ more from the canvas than allowed, one per line. @param {Record<string, ModelLines>} lines */
 export function missedLines(lines) {
   const missed = [];
   for (const [model, presets] of Object.entries(lines)) {

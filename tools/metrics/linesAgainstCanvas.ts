@@ -20,7 +20,7 @@ import {
 import { applyHatching, type HatchingMaterial, type HatchingOutlines, type PresetName } from 'three-hatching';
 import { type DrawSVGOptions, drawSVG } from 'three-hatching/svg';
 
-/** What is drawn, seen and lit. */
+/** A model with its view and light. */
 export interface ComparedDrawing {
   preset?: PresetName;
   isOrthographic?: boolean;

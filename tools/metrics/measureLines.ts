@@ -13,19 +13,19 @@ export interface FileText {
 
 /** The farthest that four drawings of a model in a preset are from the canvas, by each figure. */
 export interface LineDifference extends Omit<InkDifference, 'leftOut'> {
-  /** How that of the largest mean was lit and seen. */
+  /** Light and view of the drawing with the largest mean. */
   worst: string;
-  /** What the drawings leave out, a reason each. */
+  /** Reasons for which drawings leave something out. */
   leftOut: string[];
 }
 
-/** Of every engraved preset. */
+/** The results of every engraved preset. */
 export type ModelLines = Record<string, LineDifference>;
 
 const LEFT = { name: 'light from the left', light: [-0.55, 0.75, 0.6] } as const;
 const RIGHT = { name: 'light from the right', light: [0.9, 0.7, 0.5] } as const;
 
-/** Of two lights, shadows or none and two cameras each pair is met once: four drawings tell of all eight. */
+/** Four drawings that together have each pair of two lights, two cameras, and shadows or none. */
 const WAYS = [
   { ...LEFT, hasShadows: false, isOrthographic: false },
   { ...RIGHT, hasShadows: true, isOrthographic: false },

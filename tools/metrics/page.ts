@@ -29,7 +29,7 @@ import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
 import { type ModelValues, measuredModels, measureValues } from './valueShares.js';
 import { measureWalls, type WallMeasure } from './walls.js';
 
-// What is measured is one thing by itself, and not a scene that somebody would draw.
+// Scenes test one thing each and are odd on purpose, so warnings about looks are off.
 HatchingMaterial.silent = true;
 
 /** The first technique. Where stroke spacing matters, the others are scaled to its spacing. */
@@ -43,7 +43,7 @@ const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['triangle', { technique: 'triangle' }],
 ];
 
-/** Which of the slower measures to take. */
+/** The slower measures to take. */
 export interface Plan {
   edges: boolean;
   light: boolean;
@@ -56,7 +56,7 @@ export interface TechniqueMetrics {
   /** Mean ink per requested tone. */
   ink: Record<string, number>;
   coherence: number;
-  /** Of strokes at a light tone, by their spacing, as a share of that of the map's own; where strokes come from one. */
+  /** Spacing of strokes at a light tone, as a share of the map's own; only for strokes of a map. */
   strokeLength?: number;
   /** Pixels between strokes. */
   spacing: number;
@@ -64,7 +64,7 @@ export interface TechniqueMetrics {
   kink?: StrokeKink;
   /** Normalised flips as the light turns, at the stroke scale that gives all techniques the same spacing. */
   light?: { tilesPerUnit: number; spacing: number; flips: { degrees: number; share: number }[] };
-  /** What changes from frame to frame as the camera comes nearer: normalised flips, and luminance. */
+  /** Changes from frame to frame as the camera comes nearer: normalised flips, and luminance. */
   dolly?: { flips: number[]; popping: number; luminance: number[]; luminancePopping: number };
   /** Spacing in pixels as the camera comes nearer; octaveSpread: at the whole octaves of the way, 1, 2, 4 and 8 times as near. */
   zoom?: { spacings: number[]; spread: number; octaveSpread: number };
@@ -83,7 +83,7 @@ declare global {
     measureValues(source: Parameters<typeof measureValues>[1]): Promise<ModelValues>;
     measurePrintedStrokes(): Promise<PrintedStrokes[]>;
     measureLines: typeof measureLines;
-    /** Of the looks that are named; of all, if none is. */
+    /** Measures the named looks; all by default. */
     measureWalls(wanted: readonly string[]): Promise<WallMeasure[]>;
   }
 }
@@ -200,7 +200,7 @@ function measureEdges(camera: SurfaceCamera, edges: Uint32Array): EdgeJump {
 
 function measureKink(geometry: BufferGeometry, edges: Uint32Array, material: HatchingMaterial): StrokeKink {
   const smooth = geometry.getAttribute('hatchNormal');
-  // Only these strokes take their direction from interpolated normals; engraved lines are cut out of the triangles themselves.
+  // These strokes alone take their direction from interpolated normals; engraved lines are cut out of the triangles.
   const normals =
     material.technique === 'anchored'
       ? Float32Array.from({ length: 3 * smooth.count }, (_, i) => smooth.getComponent(Math.floor(i / 3), i % 3))
@@ -246,7 +246,7 @@ function lengthBySpacing(camera: SurfaceCamera): number {
 function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedSpacing: number) {
   material.tilesPerUnit = MIDDLE.tilesPerUnit;
   camera.view(MIDDLE.zoom);
-  // Not in one step: a coarser scale may bring in another level of the map.
+  // In several steps: a coarser scale may choose another level of the map.
   for (let step = 0; step < 4; step++) {
     const tooWide = strokeSpacing(camera.evenlyToned(EVEN_TONE).shoot()) / wantedSpacing;
     if (counts(material, 'lineSpacing')) material.lineSpacing /= tooWide;

@@ -15,7 +15,7 @@ const LIGHT_TURN = 0.5;
 /** Engraved lines that never move double their number; so their distance goes from √½ to √2 of its middle. */
 const OCTAVE = 1 / 3;
 
-/** What is required, and how each value follows from the measurements. */
+/** The requirements, with the computation of each value from the measurements. */
 export const requirements = /** @type {Requirement[]} */ ([
   {
     name: 'Greyness: share of pixels neither ink nor paper',
@@ -72,7 +72,7 @@ export const requirements = /** @type {Requirement[]} */ ([
     name: 'Length of strokes on the sphere and the bunny, of that of the map',
     limits: { anchored: 0.7 },
     atLeast: true,
-    // Where the direction changes little along a stroke.
+    // Only where the direction changes little along a stroke.
     worst: ({ sphere, bunny }, technique) =>
       Object.entries({ sphere, bunny })
         .filter(([, model]) => model)

@@ -77,9 +77,9 @@ const measured = {};
 let flatTones;
 /** Undefined where only some models are measured. */
 let printedStrokes;
-/** How far drawings as lines are from the canvas; undefined where only others are measured. */
+/** Differences of vector drawings from the canvas; undefined if they are not measured. */
 let lines;
-/** How even walls are; undefined where only others are measured. */
+/** Evenness of walls; undefined if it is not measured. */
 let walls;
 /** Shares of values by model; undefined where only strokes are measured. */
 let values;

@@ -19,7 +19,7 @@ export interface ValueShares {
   dark: number;
 }
 
-/** Those of every preset, with the exposure fitted and with the light as it is. */
+/** The shares of every preset, with fitted exposure and with the light as it is. */
 export type ModelValues = Record<PresetName, { auto: ValueShares; fixed: ValueShares }>;
 
 /** A file as the command reads it. */
@@ -29,7 +29,7 @@ interface FileText {
 }
 
 const SIZE = 160;
-/** From the model's centre, so that a sphere around the model is seen whole. */
+/** The distance of the camera from the model's centre at which its bounding sphere is wholly visible. */
 const DISTANCE = 4.6;
 /** Lighter, beside the lightest tone of a look, is blank paper with a stroke here and there; darker is more ink than paper. */
 const HALF_TONES = { from: 0.09, to: 0.5 } as const;
@@ -112,7 +112,7 @@ function drawShares(
   materials: readonly HatchingMaterial[],
   lightest: number,
 ): ValueShares {
-  // What is seen through would show the ground.
+  // The ground would show through transparent parts.
   for (const material of materials) material.paperOpacity = 1;
   const pixels = new Uint8Array(4 * SIZE * SIZE);
   renderer.setRenderTarget(target);

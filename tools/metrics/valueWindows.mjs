@@ -6,15 +6,15 @@
 /** The least and the most of a model that may be paper, half tone and dark: some of each, and no more dark than a dark thing has. */
 const INKED = { paper: [0.03, 0.6], half: [0.05, 0.65], dark: [0.25, 0.85] };
 
-/** The same of presets that are otherwise. */
+/** Windows of the other presets. */
 const OTHERS = {
-  // It is cut in black and white.
+  // Woodcuts are black and white.
   woodcut: { ...INKED, half: [0.03, 0.6], dark: [0.25, 0.87] },
-  // What is light is covered, and what is dark left blank.
+  // Light parts are covered, and dark ones left blank.
   chalk: { paper: [0, 0.85], half: [0.05, 0.5], dark: [0.09, 0.72] },
 };
 
-/** What does not lie in the window of its preset, in a line each. @param {Record<string, ModelValues>} values */
+/** Values outside the window of their preset, one per line. @param {Record<string, ModelValues>} values */
 export function missedValues(values) {
   const lines = [];
   for (const [model, presets] of Object.entries(values)) {

@@ -41,7 +41,7 @@ export interface WallMeasure {
   off: { tone: number; distance: number; angle: number };
 }
 
-/** What is drawn on a wall: every preset, and plain lines of every field. */
+/** The looks on a wall: every preset, and plain lines of every field. */
 function looks(): [string, HatchingMaterialParameters, Parameters<typeof TonalArtMap.generate>[0] | null][] {
   return [
     ...Object.entries(presets).map(([name, { material, tonalArtMap }]): ReturnType<typeof looks>[number] => [

@@ -89,7 +89,7 @@ export type PlyValue = number | readonly number[];
 
 export interface PlyTable {
   name: string;
-  /** For instance `float x` or `list uchar int vertex_indices`. */
+  /** A property, such as `float x` or `list uchar int vertex_indices`. */
   properties: string[];
   rows: readonly (readonly PlyValue[])[];
 }

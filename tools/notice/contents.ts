@@ -1,16 +1,16 @@
 /** A part of the built page that others have made. */
 export interface Part {
   name: string;
-  /** What it does on the page. */
+  /** Its purpose on the page. */
   use: string;
   by: string;
   address: string;
   licence: string;
-  /** Where its licence lies, from the root of the project. */
+  /** Path of its licence, from the root of the project. */
   licenceFile?: string;
-  /** What there is to say where no licence lies with it. */
+  /** A note in place of a missing licence file. */
   terms?: string;
-  /** What of `node_modules` is this part: a package, or a file or folder in one. */
+  /** Its source in `node_modules`: a package, or a file or folder in one. */
   from?: string;
 }
 

@@ -13,7 +13,7 @@ import {
 import { applyHatching, type PresetName, presets } from 'three-hatching';
 import { FLAT_SCENES, type FlatScene, type FlatSceneName } from './flatScenes.js';
 
-/** From where a scene is drawn: from nearby, from afar, or from nearby with its light turned. */
+/** The view of a scene: from nearby, from afar, or from nearby with its light turned. */
 export const FLAT_VIEWS = ['near', 'far', 'turned'] as const;
 
 /** Drawings of a scene of plain faces, one from each view. */
@@ -27,7 +27,7 @@ export interface FlatPictures {
   shadows: boolean;
 }
 
-/** How far the light is turned about the upright, in radians. */
+/** The turn of the light about the vertical, radians. */
 const TURN = (110 * Math.PI) / 180;
 /** The milliseconds in which the worker makes the lists of contours of a view. */
 const PAUSE = 150;
@@ -35,7 +35,7 @@ const PAUSE = 150;
 const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
 renderer.shadowMap.type = PCFShadowMap;
 document.body.append(renderer.domElement);
-/** What was drawn before. It is kept until the next is drawn, so that shaders which both use are compiled once. */
+/** The previous scene, kept until the next is drawn, so that shared shaders are compiled once. */
 let former: { dispose(): void } | undefined;
 
 /**

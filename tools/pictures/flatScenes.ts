@@ -24,14 +24,14 @@ import { shellChair } from './shellChair.js';
 export interface FlatScene {
   /** Makes it of lit meshes, as users have them. */
   make(): Object3D;
-  /** Where the eye is and what it looks at. */
+  /** Position and target of the camera. */
   eye: readonly [number, number, number];
   target: readonly [number, number, number];
   /** Direction to the light. */
   light: readonly [number, number, number];
   /** Vertical field of view in degrees. Default: 32 */
   fieldOfView?: number;
-  /** How many times further away the eye goes for the view from afar. Default: 2.4 */
+  /** Factor on the distance for the view from afar. Default: 2.4 */
   far?: number;
 }
 

@@ -43,14 +43,14 @@ export interface Picture {
   view: [number, number, number];
   /** Rotation of the subject in degrees about x, y and z. */
   turned?: [number, number, number];
-  /** How many times larger the picture is than one that the subject just fills. */
+  /** Size of the picture relative to one that the subject just fills. */
   zoom?: number;
   shadows?: boolean;
-  /** What the subject stands on: a sheet that shows its shadow and nothing else, or a floor. */
+  /** The ground: a sheet that shows only the shadow, or a floor. */
   ground?: 'shadow' | 'floor';
-  /** How much of the ambient occlusion counts, 0 to 1. */
+  /** Strength of the ambient occlusion, 0 to 1. */
   occlusion?: number;
-  /** What differs from the preset. */
+  /** Differences from the preset. */
   material?: HatchingPreset['material'];
   outlines?: HatchingPreset['outlines'];
   /** The hand whose strokes are drawn in place of the preset's; its swatches stand above the picture. */
@@ -138,7 +138,7 @@ async function drawThreeLines(width: number, height: number): Promise<string> {
 /** A step of a picture in motion. */
 export interface Step {
   light: Picture['light'];
-  /** Where the lamp is drawn, in pixels of the picture. */
+  /** Place of the drawn lamp, in pixels of the picture. */
   lamp: [x: number, y: number];
 }
 
@@ -257,7 +257,7 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
   };
 }
 
-/** What a preset has beside its strokes, with those of a map. */
+/** A preset with the strokes of a map. */
 function lookOfHand({ material }: HatchingPreset): HatchingPreset['material'] {
   const { ink, paper, toneCurve, reflectedLight, exposure, localTone, colorFill, hollowTone } = material;
   const tones = { toneCurve, reflectedLight, exposure, localTone, colorFill, hollowTone };

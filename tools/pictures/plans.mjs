@@ -9,7 +9,7 @@ const BUST = { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 
 /** A light by which the shadow of the bust stays on the sheet. */
 const BEHIND_THE_BUST = [-0.14, 1.43, 1];
 const DRAGON = { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 };
-/** What turns the strokes of a preset with the light, if it does not by itself. */
+/** Settings that make the strokes of a preset turn with the light. */
 const TURNING = { engraving: { lineField: 'light' } };
 
 /** Places of a light that is dragged from the left to the right, in degrees from the front. */
@@ -239,7 +239,7 @@ export const plansOf = (presets, techniques) => ({
   },
 });
 
-/** What a look is judged by: a face, a hand, a machine, an animal, a house and a draped cloth. */
+/** The subjects by which looks are judged: a face, a hand, a machine, an animal, a house and a draped cloth. */
 const JUDGED = [
   { ...BUST, light: BEHIND_THE_BUST, zoom: 0.85, ground: 'shadow' },
   { ...HAND, zoom: 0.95 },
@@ -277,10 +277,10 @@ export const lookPlans = (presets) =>
 /** The files of subjects that npm packages do not carry. */
 export const SUBJECT_FILES = { nefertiti: 'nefertiti_lowres.obj', fox: 'Fox.glb', man: 'CesiumMan.glb' };
 
-/** How many pictures a round of the light takes, and how long each is shown. */
+/** Number of pictures in a round of the light, and the time that each is shown. */
 const STEPS = 40;
 const MILLISECONDS = 90;
-/** Where the light goes: over the subject to the other side and back, nearer to the eye. In degrees. */
+/** The path of the light, in degrees: over the subject to the other side and back, nearer to the eye. */
 const SWING = 75;
 const TILT = { mean: 58, change: 14 };
 

@@ -18,7 +18,7 @@ import { loadHand } from '../../src/playground/models/loadHand.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../src/playground/models/models.js';
 import type { PlainMesh } from '../../src/viewer/files/mesh/PlainMesh.js';
 
-/** What a picture can show. `files` are what has to be read from a folder of models, in the order in which they are passed. */
+/** A subject of pictures. `files` are read from a folder of models and passed in this order. */
 const subjects = {
   dragon: { load: () => builtIn('dragon2') },
   /** Something to cast a shadow on it. */

@@ -23,7 +23,7 @@ try {
   // High enough for a whole figure, because only what is in view is drawn.
   const page = await browser.newPage({ viewport: { width: 960, height: 2400 } });
   await page.goto(`${server.resolvedUrls.local[0]}figures/`);
-  // What could show at the edges of a picture is hidden.
+  // Elements that could show at the edges of a picture are hidden.
   await page.evaluate(() => {
     document.body.style.background = 'var(--paper)';
     document.querySelector('.lamp-bar').style.visibility = 'hidden';

@@ -23,7 +23,7 @@ export function writePalettePng({ width, height, data }: RgbaPicture): Buffer {
     const [red, green, blue] = [0, 1, 2].map((channel) => Math.round(data[i + channel] / step));
     return (red * LEVELS + green) * LEVELS + blue;
   };
-  /** How many pixels are rounded to a colour, and the sums of their red, green and blue. */
+  /** Number of pixels rounded to a colour, and the sums of their red, green and blue. */
   const sums = new Map<number, number[]>();
   for (let i = 0; i < data.length; i += 4) {
     const key = keyAt(i);

@@ -10,7 +10,7 @@ const FILES = [
   '%E2%80%AEylp.elpmaxe%20morf.ply',
   `${'very%20'.repeat(150)}long.ply`,
   'in%0Atwo%09lines.ply',
-  // This address is no model's.
+  // The address is not that of a model.
   'page.html',
 ];
 const ADDRESSES = SITES.flatMap((site) => FILES.map((file) => `${site}/${file}`));

@@ -1,7 +1,7 @@
-/** How many objects of each kind there are at the end of a lap, when the page shows the same as at the end of every other lap. */
+/** Number of objects of each kind at the end of a lap, when the page shows the same as at the end of every lap. */
 export type Lap = Readonly<Record<string, number>>;
 
-/** How many more of each kind there may be in the end: some go away by themselves, some a browser keeps for a while. */
+/** Allowed growth of each kind: some objects end by themselves, some a browser keeps for a while. */
 const SLACK: Record<string, number> = {
   // Shadow maps of each kind of light and the ground are created when they are first needed, and kept. If every lap leaves one more,
   // some laps are enough to show it.

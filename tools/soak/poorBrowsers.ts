@@ -3,7 +3,7 @@ import { drop, idle } from '../browser/playground.js';
 import { watchProblems } from '../browser/watchProblems.js';
 import { file, octahedronObj } from '../modelFiles/modelFiles.js';
 
-/** What browsers may lack. Each function runs in a page before the page's own scripts, and takes one feature away. */
+/** Features that browsers may lack. Each function runs in a page before its own scripts, and removes one feature. */
 export const LACKS: Readonly<Record<string, () => void>> = {
   'without workers': () => {
     Reflect.deleteProperty(window, 'Worker');

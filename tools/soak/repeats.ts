@@ -11,9 +11,9 @@ import { grown, type Lap } from './judge.js';
 import { countsOf, format, measure, REST, settleFigures, turnFigures } from './measure.js';
 
 interface RepeatOptions {
-  /** Where the pages are served. */
+  /** Base URL of the pages. */
   address: string;
-  /** How often each action is done. */
+  /** Number of repeats of each action. */
   times: number;
   /** Prints a line. */
   say: (line: string) => void;
@@ -57,7 +57,7 @@ const REPEATED: Readonly<Record<string, Repeated>> = {
 /** The columns of the table: the kinds that are counted. */
 const COLUMNS = ['buffer', 'texture', 'program', 'framebuffer', 'vertexarray', 'worker', 'url', 'listeners', 'nodes'];
 const MEGABYTES = ['arrays', 'heap', 'process'];
-/** So many times are done before the first count, so that every value has been shown once: programs and maps are kept. */
+/** Number of repeats before the first count, so that every value has been shown once: programs and maps are kept. */
 const MOST_VALUES = Math.max(MODELS.length, TECHNIQUES.length, STYLES.length, GOOD.length);
 
 /**

@@ -8,7 +8,7 @@ import { judge, type Lap } from './judge.js';
 import { format, measure, REST, settleFigures, turnFigures } from './measure.js';
 
 interface SoakOptions {
-  /** Where the pages are served. */
+  /** Base URL of the pages. */
   address: string;
   minutes: number;
   seed: number;

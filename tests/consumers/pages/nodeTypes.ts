@@ -78,7 +78,7 @@ export async function everyKind(): Promise<Scene> {
   return scene;
 }
 
-/** What lies around a scene. */
+/** The surroundings of a scene. */
 export async function drawn(renderer: WebGPURenderer, scene: Scene, camera: PerspectiveCamera): Promise<void> {
   const hatched = await applyHatching(scene, 'pen');
   const material: HatchingNodeMaterial = hatched.materials[0];

@@ -12,7 +12,7 @@ import {
 } from 'three-hatching/react';
 import { ReactModel } from './ReactModel.js';
 
-/** What the page shows; the tests change it. */
+/** The state of the page; the tests change it. */
 interface Shown {
   flat: boolean;
   hatched: boolean;
@@ -58,7 +58,7 @@ const arrival = new Promise<void>((go) => {
 
 let state: RootState | undefined;
 const page = {
-  /** How often a scene was hatched, or had new values. */
+  /** Number of times that a scene was hatched or got new values. */
   hatchings: 0,
   errors: [] as string[],
   progress: [] as number[],

@@ -4,7 +4,7 @@ import { HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-ha
 const SIZE = 96;
 
 /**
- * What every consumer does: bakes a cube, draws a map, renders, reads the pixels back, before and after the code of the technique is there.
+ * The task of every consumer: bakes a cube, draws a map, renders, reads the pixels back, before and after the code of the technique is there.
  *
  * @param {{ createWorker?: () => Worker }} options
  * @returns {Promise<number[]>} the red channel of every pixel

@@ -24,7 +24,7 @@ declare global {
   }
 }
 
-/** What a sample may export: nothing, a component, or elements for the inside of a canvas. */
+/** The exports of a sample: nothing, a component, or elements inside a canvas. */
 type SampleModule = Record<string, ComponentType | ReactNode>;
 
 const SIZE = { width: 240, height: 180 };
@@ -58,7 +58,7 @@ function pictureOfStrokes(): HTMLCanvasElement {
 }
 
 /**
- * What samples speak of and do not make: a scene with a mesh, and whatever else they name, made when they first name it.
+ * Names that samples use without defining them: a scene with a mesh, and others, created at first use.
  *
  * @param isLit whether the sample makes a light of its own
  */
@@ -97,7 +97,7 @@ function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
     },
     gltf: () => ({ scene: placed(ball(-1)) }),
     first: () => placed(ball(-1)),
-    // With more triangles than detail asks for.
+    // More triangles than detail requires.
     scan: () => placed(new Group().add(new Mesh(new SphereGeometry(0.8, 400, 300), new MeshLambertMaterial()))),
     second: () => placed(ball(1)),
     gradientMap: () => new DataTexture(new Uint8Array([64, 128, 255, 255]), 1, 1),

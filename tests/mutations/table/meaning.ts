@@ -1,6 +1,6 @@
 import type { Mutation } from '../Mutation.js';
 
-/** What files say of surfaces, and is drawn so. */
+/** Surface properties of files that change the drawing. */
 export const meaning: readonly Mutation[] = [
   {
     name: 'blended surfaces hide what is behind them',

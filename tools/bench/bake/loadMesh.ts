@@ -1,7 +1,7 @@
 import type { TriangleMesh } from '../internals.js';
 import { loadModel } from '../loadModel.js';
 
-/** What a bake reads of a model, or of a mesh that is hard to bake: `fan100k`, `torus500kShuffled`. */
+/** The input of a bake: a model, or a mesh that is hard to bake: `fan100k`, `torus500kShuffled`. */
 export async function loadMesh(name: string): Promise<TriangleMesh> {
   if (name === 'fan100k') return fan(100_000);
   const { attributes, index } = await loadModel(name.replace('Shuffled', ''));

@@ -2,7 +2,7 @@ import { bakeIndexed, type TriangleMesh } from '../internals.js';
 import { torusMesh } from '../torusMesh.js';
 import { loadMesh } from './loadMesh.js';
 
-/** What is baked: a model of `loadMesh`, or a torus of so many triangles. */
+/** The mesh to bake: a model of `loadMesh`, or a torus with the given number of triangles. */
 type Source = string | number;
 
 /**
@@ -27,7 +27,7 @@ export async function measureWholeBake(sources: readonly Source[], turns: number
       if (turn === 0) continue;
       results[i]!.plain.push(plain);
       results[i]!.outlined.push(outlined);
-      // What the bakes have left must not be collected in the time of the next one alone.
+      // Garbage of earlier bakes must not be collected during the next one alone.
       await new Promise((resolve) => setTimeout(resolve));
     }
   }

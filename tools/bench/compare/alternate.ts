@@ -6,7 +6,7 @@ export type Times = Record<Side, number[]>;
 const TURN: readonly Side[] = ['old', 'new', 'new', 'old'];
 const OTHER_TURN: readonly Side[] = ['new', 'old', 'old', 'new'];
 
-/** How many turns are measured: at least `turns`, and if turns are short as many as fill the time, but at most four times `turns`. */
+/** The number of measured turns: at least `turns`, and as many short ones as fill the time, but at most four times `turns`. */
 export interface Effort {
   turns: number;
   milliseconds: number;

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 const run = (cwd, command, ...args) => execFileSync(command, args, { cwd, stdio: ['ignore', 'ignore', 'inherit'] });
 
-/** Where a commit has the configuration that builds the library. Older commits have it in their root. */
+/** Paths of the configuration that builds the library. Older commits have it in their root. */
 const CONFIGS = ['tools/building/vite.lib.config.ts', 'vite.lib.config.ts'];
 
 /**

@@ -4,15 +4,15 @@ import { Stage } from '../Stage.js';
 import { timeTurns } from '../timeTurns.js';
 import { scannedTorus } from './scannedTorus.mjs';
 
-/** Where the server of the benchmarks has meshoptimizer. */
+/** The URL of meshoptimizer on the server of the benchmarks. */
 const SIMPLIFIER = '/node_modules/meshoptimizer/meshopt_simplifier.js';
 
 export interface DetailPlan {
-  /** Of the large model. */
+  /** Triangles of the large model. */
   triangles: number;
-  /** Of the model that it is compared with. */
+  /** Triangles of the model that it is compared with. */
   reference: number;
-  /** Of the canvas, in pixels per side. */
+  /** Side of the canvas, pixels. */
   sizes: readonly number[];
   turns: number;
   /** The canvas and the steps of a way away from the model, in which flips are counted. */

@@ -7,7 +7,7 @@ import { servePlayground } from './servePlayground.mjs';
 import { timeDrop, untilIdle } from './timeDrop.mjs';
 import { dragon, torus, writeModelFile } from './writeModelFile.mjs';
 
-/** How each file is made, and how often it is dropped: on so many pages, on each of them so many times. */
+/** The files, with the number of pages on which each is dropped and the number of drops on each page. */
 const FILES = {
   'torus12k.ply': { make: torus(60, 100), pages: 3, drops: 3 },
   'torus200k.ply': { make: torus(250, 400), pages: 3, drops: 2 },
@@ -38,7 +38,7 @@ export const drop = {
         for (let i = 0; i < pages; i++) {
           const page = await openPage(`${playground.address}${ADDRESS}`);
           for (let count = 0; count < drops; count++) {
-            // What a page still does after a drop, no other drop is to wait for.
+            // Work of a page after a drop must not delay the next drop.
             await untilIdle(page);
             (count === 0 ? cold : warm).push(await timeDrop(page, path));
           }

@@ -7,7 +7,7 @@ import { basename } from 'node:path';
  */
 export async function timeDrop(page, path) {
   const name = basename(path).replace(/\.\w+$/, '');
-  // What is still drawn of what was there before is not to be waited for.
+  // Frames of the earlier model are not waited for.
   await page.evaluate(drawnFrames);
   const drawn = page.evaluate(
     (name) =>

@@ -31,7 +31,7 @@ export function writeModelFile(path, geometry) {
   writeFileSync(path, new DataView(content.buffer ?? content));
 }
 
-/** One mesh with positions, normals and an index. three's own exporter needs a browser. */
+/** Writes a mesh with positions, normals and an index. three's own exporter needs a browser. */
 function glb(geometry) {
   const { position, normal } = geometry.attributes;
   geometry.computeBoundingBox();

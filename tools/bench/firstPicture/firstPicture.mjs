@@ -10,7 +10,7 @@ const ARRANGEMENTS = ['inTurn', 'together'];
 /** The phases of a page that is opened, in their order, and the longest task. */
 const COLD = ['context', 'read', 'sketch', 'whole', 'complete', 'longestTask'];
 
-/** How long it takes from a loaded model to its first hatched picture, and from an address to that of the playground. */
+/** The time from a loaded model to its first hatched picture, and from an address to that of the playground. */
 export const firstPicture = {
   name: 'firstPicture',
   perRasteriser: true,

@@ -15,7 +15,7 @@ import { loadModel } from '../loadModel.js';
 const SIZE = 256;
 const LOOK = { material: { technique: 'anchored' }, outlines: true } as const;
 
-/** How the work before the first picture is arranged: one thing after the other, or side by side. */
+/** The order of the work before the first picture: in sequence or in parallel. */
 export type Arrangement = 'inTurn' | 'together';
 
 /** Milliseconds by phase, from the loaded model to the first hatched picture that can be read. */

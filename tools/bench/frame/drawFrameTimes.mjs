@@ -1,4 +1,4 @@
-/** What is drawn, by its name in the results: three's material on the same geometry, and each technique on its best layout. */
+/** The series, by name in the results: three's material on the same geometry, and each technique on its best layout. */
 const CURVES = {
   'phong corner': ['MeshPhongMaterial', '#888'],
   'adjacency corner': ['adjacency', '#1b5e9b'],

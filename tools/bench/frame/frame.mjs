@@ -7,7 +7,7 @@ const PLAN = {
 };
 const QUICK = { turns: { dragon11k: 2 }, size: 128 };
 
-/** What all are compared with. */
+/** The baseline of the comparison. */
 const REFERENCES = ['phong corner', 'phong indexed', 'adjacency corner'];
 
 /** Frames of all techniques and layouts beside three's Phong material. */

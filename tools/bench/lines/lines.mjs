@@ -4,7 +4,7 @@ import { figure, table, withInterval } from '../table.mjs';
 const PLAN = { models: { dragon11k: 25, dragon48k: 15, dragon871k: 15 }, moving: 'dragon48k', size: 1024 };
 const QUICK = { models: { torus5k: 2 }, moving: '', size: 128 };
 
-/** What each is compared with: the same mesh without lines. */
+/** The baseline of the comparison: the same mesh without lines. */
 const WITHOUT = {
   'with lines': 'hatched',
   'with lines, no list': 'hatched',
@@ -12,7 +12,7 @@ const WITHOUT = {
   'skinned with lines': 'skinned',
 };
 
-/** What contours and feature edges cost, beside the frame without them. */
+/** The cost of contours and feature edges, compared with the frame without them. */
 export const lines = {
   name: 'lines',
   perRasteriser: true,

@@ -21,12 +21,12 @@ const STEP = 1;
 /** Milliseconds, one per turn or step. */
 export interface LineTimes {
   triangles: number;
-  /** How many primitives were drawn, and of how many. */
+  /** Number of drawn primitives and of all. */
   listed: number;
   primitives: number;
   /** Whole frames of everything that was drawn. */
   times: Record<string, number[]>;
-  /** What the lines' part of each frame took on the main thread while the camera turned. */
+  /** Time of the lines in each frame on the main thread while the camera turned. */
   script: number[];
 }
 
@@ -114,7 +114,7 @@ async function listReady(stage: Stage, mesh: Mesh): Promise<void> {
   }
 }
 
-/** What the lines' own function takes while the camera turns. */
+/** Measures the time of the lines' own function while the camera turns. */
 async function timeScript(stage: Stage, mesh: Mesh): Promise<number[]> {
   const lines = outlinesOf(mesh);
   const own = lines.onBeforeRender;

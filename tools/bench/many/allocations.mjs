@@ -15,7 +15,7 @@ export function allocations({ head }) {
   return bytes;
 }
 
-/** How to sample: often enough for a hundred bytes a frame, and with what is garbage already. */
+/** Sampling options: fine enough for a hundred bytes a frame, garbage included. */
 export const SAMPLING = {
   samplingInterval: 256,
   includeObjectsCollectedByMajorGC: true,

@@ -10,7 +10,7 @@ const SCENES = {
 const PLAN = { share: 1, turns: 31, size: 512, garbageFrames: 200 };
 const QUICK = { share: 0.05, turns: 2, size: 128, garbageFrames: 2 };
 
-/** What all are compared with. */
+/** The baseline of the comparison. */
 const PLAIN = 'lambert';
 
 /**

@@ -46,7 +46,7 @@ interface Look {
 const SCRIPT_SIZE = 64;
 const WARM_UP_TURNS = 3;
 
-/** What draws one frame of a look on the small canvas, by look. */
+/** Functions that draw one frame on the small canvas, by look. */
 const drawers = new Map<string, () => void>();
 
 /** Draws many small things, as meshes of their own or as instances of one, hatched and in Lambert's shading, in turn. */

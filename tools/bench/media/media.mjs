@@ -4,7 +4,7 @@ import { figure, table, withInterval } from '../table.mjs';
 const PLAN = { models: { dragon11k: 25, dragon48k: 25 }, size: 1024 };
 const QUICK = { models: { dragon11k: 2 }, size: 128 };
 
-/** What all are compared with. */
+/** The baseline of the comparison. */
 const INK = 'ink';
 
 /** Frames of every medium beside `anchored` in ink. */

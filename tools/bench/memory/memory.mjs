@@ -75,7 +75,7 @@ ${table([
 
 const nameOf = ({ layout, form }) => (form ? `${layout}, form` : layout);
 
-/** What the peak grows by from the smaller to the larger mesh of a layout: the browser itself takes as much with both. */
+/** Growth of the peak from the smaller to the larger mesh of a layout: the browser's own share is the same with both. */
 function describeGrowth(baked) {
   const layouts = [...new Set(baked.map(nameOf))];
   const parts = layouts.flatMap((layout) => {

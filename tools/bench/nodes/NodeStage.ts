@@ -3,7 +3,7 @@ import { RenderTarget, WebGPURenderer } from 'three/webgpu';
 import { GpuClock } from '../GpuClock.js';
 import { litScene } from '../litScene.js';
 
-/** What a renderer of nodes draws with. */
+/** The graphics API of a renderer of nodes. */
 export type Backend = 'forceWebGL' | 'webgpu';
 
 interface BackendOfThree {

@@ -1,4 +1,4 @@
-/** Who draws what WebGPU draws, as far as the browser tells; null where it has no adapter. */
+/** The WebGPU adapter, as far as the browser describes it; null without one. */
 export async function describeAdapter(): Promise<string | null> {
   const info = (await navigator.gpu?.requestAdapter())?.info;
   if (!info) return null;

@@ -4,7 +4,7 @@ import { figure, table, withInterval } from '../table.mjs';
 const PLAN = { models: ['dragon48k', 'dragon202k'], repeats: 3, turns: 15, size: 1024 };
 const QUICK = { models: ['dragon11k'], repeats: 1, turns: 2, size: 128 };
 
-/** How long a bake of occlusion takes, and what it costs in a frame. */
+/** The time of a bake of occlusion, and its cost in a frame. */
 export const occlusion = {
   name: 'occlusion',
   perRasteriser: false,

@@ -3,7 +3,7 @@ import { describeAgainst, runAgainst } from '../against.mjs';
 const PLAN = { models: { dragon11k: 25, dragon48k: 25 }, size: 1024 };
 const QUICK = { models: { torus5k: 2 }, size: 128 };
 
-/** What shadows cost: on a model that casts shadows on itself, and on a ground that shows nothing but shadows. */
+/** The cost of shadows: on a model that casts shadows on itself, and on a ground that shows only shadows. */
 export const shadows = {
   name: 'shadows',
   perRasteriser: true,

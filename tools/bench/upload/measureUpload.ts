@@ -7,7 +7,7 @@ import { Stage } from '../Stage.js';
 const SIZE = 64;
 
 /**
- * How many milliseconds longer a frame takes when the geometry has to be uploaded to the graphics card for it, measured `repeats`
+ * The additional milliseconds of a frame that uploads the geometry to the graphics card, measured `repeats`
  * times. The program is compiled before, and only one triangle is drawn, although all of the geometry is uploaded.
  */
 export async function measureUpload(

@@ -5,7 +5,7 @@ const LAYOUTS = ['corner', 'pull', 'indexed'];
 const PLAN = { models: ['torus80k', 'torus245k', 'torus500k', 'torus980k'], repeats: 8 };
 const QUICK = { models: ['torus20k'], repeats: 4 };
 
-/** How long the first frame waits for the geometry to reach the graphics card. */
+/** The time that the first frame waits for the upload of the geometry. */
 export const upload = {
   name: 'upload',
   perRasteriser: true,

@@ -9,7 +9,7 @@ import {
 import { type DrawSVGOptions, drawSVG } from 'three-hatching/svg';
 import { loadModel } from '../loadModel.js';
 
-/** How a model is drawn as lines, and with which shadows. */
+/** The look of a vector drawing, and its shadows. */
 const DRAWINGS: Record<string, { lineField: HatchingMaterialParameters['lineField']; options: DrawSVGOptions }> = {
   light: { lineField: 'light', options: { shadows: false } },
   form: { lineField: 'form', options: { shadows: false } },
@@ -18,7 +18,7 @@ const DRAWINGS: Record<string, { lineField: HatchingMaterialParameters['lineFiel
   'light, one pen': { lineField: 'light', options: { shadows: false, kind: 'pen' } },
 };
 
-/** What each drawing took, milliseconds: the bake of its geometry, and the drawing, once each time. */
+/** Milliseconds of each drawing: the bake of its geometry, and the repeated drawing. */
 export interface VectorTimes {
   triangles: number;
   drawings: Record<string, { bake: number; times: number[]; paths: number; kilobytes: number }>;

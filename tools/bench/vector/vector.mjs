@@ -4,7 +4,7 @@ import { figure, table } from '../table.mjs';
 const PLAN = { dragon11k: 3, dragon48k: 3, dragon871k: 1 };
 const QUICK = { dragon11k: 1 };
 
-/** What drawings that leave as lines take, in a worker: with the bake, and beside each other. */
+/** The time of vector drawings in a worker: with the bake, and compared with each other. */
 export const vector = {
   name: 'vector',
   perRasteriser: false,

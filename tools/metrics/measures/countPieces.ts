@@ -1,6 +1,6 @@
 import { isInk, type SurfaceImage } from './SurfaceImage.js';
 
-/** How many pieces of ink and of paper there are on 10,000 pixels, and how large the middle one of each is, in pixels. */
+/** Number of pieces of ink and of paper on 10,000 pixels, and the median size of each, in pixels. */
 export interface PieceCounts {
   ink: number;
   inkArea: number;

@@ -62,7 +62,7 @@ export function reprojectedChange(before: LocatedImage, after: LocatedImage): Fr
   return { flips: count.normalised(), luminance: difference / points };
 }
 
-/** How much the worst frame of a steady camera move stands out: the largest value over the median. 1 is perfectly even. */
+/** The largest value over the median in the frames of a steady camera move. 1 is perfectly even. */
 export function poppingIndex(changes: readonly number[]): number {
   const sorted = changes.toSorted((a, b) => a - b);
   const middle = sorted.length >> 1;

@@ -2,7 +2,7 @@ import type { SurfaceImage } from './SurfaceImage.js';
 import { structureTensor } from './structureTensor.js';
 
 /**
- * How well neighbouring strokes agree in direction: the coherence (λ₁ − λ₂)/(λ₁ + λ₂) of the structure tensor of the picture,
+ * The agreement of neighbouring strokes in direction: the coherence (λ₁ − λ₂)/(λ₁ + λ₂) of the structure tensor of the picture,
  * averaged with the contrast λ₁ + λ₂ as weight. 1 for straight lines, near 0 for noise and for crossed lines.
  */
 export function strokeCoherence(image: SurfaceImage): number {

@@ -2,7 +2,7 @@ import { isInk, type SurfaceImage } from './SurfaceImage.js';
 import { structureTensor } from './structureTensor.js';
 
 /**
- * How far one can go along the strokes without leaving the ink, in pixels: the median over all pixels of ink, of the way
+ * The length of the way along strokes within the ink, in pixels: the median over all pixels of ink, of the way
  * forward and backward together. Ways that end where the surface does are left out, since nobody knows how long those
  * strokes are. The direction is that of the structure tensor; every pixel further, one may step a pixel aside.
  *

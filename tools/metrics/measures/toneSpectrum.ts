@@ -4,7 +4,7 @@ import type { SurfaceImage } from './SurfaceImage.js';
 export const BANDS = [2, 4, 8, 16, 32, 64] as const;
 
 /**
- * How an even tone is made up: the standard deviation of the tone in bands of wavelength, an octave each. A fine, even texture has its
+ * The spectrum of an even tone: the standard deviation of the tone in bands of wavelength, an octave each. A fine, even texture has its
  * deviation in the bands of its dots or strokes, and next to none in those of longer waves, which the eye sees as marbling.
  *
  * @param image a square of surface whose side is a power of two

@@ -1,7 +1,7 @@
 import type { SurfaceImage } from './SurfaceImage.js';
 
 /**
- * How uneven a surface is whose tone should be even everywhere: the standard deviation of its darkness, blurred over a few strokes. Seams, bands and
+ * The unevenness of a surface of even tone: the standard deviation of its darkness, blurred over a few strokes. Seams, bands and
  * clumps of strokes count; single strokes do not.
  *
  * @param image a picture that the surface fills
@@ -13,7 +13,7 @@ export function unevenness({ width, height, luminance }: SurfaceImage, blur: num
   const weights = Array.from({ length: 2 * reach + 1 }, (_, i) => Math.exp(-((i - reach) ** 2) / (2 * blur ** 2)));
   const total = weights.reduce((sum, weight) => sum + weight);
   const [innerWidth, innerHeight] = [width - 2 * reach, height - 2 * reach];
-  // Only places whose whole surroundings are in the picture count.
+  // Pixels near the edges of the picture do not count.
   const rows = new Float64Array(innerWidth * height);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < innerWidth; x++) {
