@@ -2,7 +2,7 @@
 import type { HatchingFacts } from './HatchingProperty.js';
 import type { HatchingPropertyName } from './hatchingProperties.js';
 
-/** What the properties of `HatchingMaterial` measure, and what they count with; those that neither applies to are left out. */
+/** Units and conditions of the properties of `HatchingMaterial` that have any. */
 export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, HatchingFacts>>> = {
   tonalArtMap: { when: { medium: ['ink', 'dry'] } },
   tilesPerUnit: { measure: 'tilesPerUnit', when: { sizedOnScreen: { not: 1 } } },

@@ -364,7 +364,7 @@ function defaults(): { readonly [Name in HatchingPropertyName]: (typeof HATCHING
   return Object.fromEntries(entries);
 }
 
-/** What the material needs to know of every technique. */
+/** Facts of every technique. */
 export const HATCHING_TECHNIQUES = {
   triangle: { vertexData: 'adjacency', map: 'tonalArtMap', hasProgramForObject: false },
   adjacency: { vertexData: 'adjacency', map: 'tonalArtMap', hasProgramForObject: false },

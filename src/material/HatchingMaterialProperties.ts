@@ -19,7 +19,7 @@ import type { HatchingMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { Vector2Like, Vector3Like } from './vectorValues.js';
 
-/** What a HatchingMaterial can be told, beside everything three's own `Material` accepts. */
+/** The parameters of a HatchingMaterial, besides those of three's own `Material`. */
 export interface HatchingMaterialOptions {
   /**
    * The hatch images: a map, which materials may share and which you dispose of yourself; or the name of a style, whose

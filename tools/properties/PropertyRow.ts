@@ -17,11 +17,11 @@ export type PropertyGroup = 'Strokes' | 'Medium' | 'Tone' | 'Composition' | 'Sur
 
 interface BaseRow {
   group: PropertyGroup;
-  /** What it is, for JSDoc and documentation; Markdown. Unit, range, default and techniques are added to it. */
+  /** Its description for JSDoc and documentation, in Markdown. Unit, range, default and techniques are added. */
   sentence: string;
   /** The techniques that read it. Left out: all. */
   techniques?: readonly string[];
-  /** What other properties must be for it to count. Several conditions: it is enough that one holds. */
+  /** Conditions on other properties, one of which must hold for it to have an effect. */
   when?: HatchingCondition | readonly HatchingCondition[];
 }
 
@@ -32,10 +32,10 @@ export interface NumberRow extends BaseRow {
   default: number | null | 'auto';
   /** The default under a technique that has another. */
   defaultFor?: Readonly<Record<string, number>>;
-  /** How the default is written where digits would hide what it is. */
+  /** The default as an expression, where digits would be obscure. */
   defaultSource?: string;
   measure: HatchingMeasure;
-  /** What it measures at a `sizedOnScreen` of 1, where that is something else. In between it is a mean of the two. */
+  /** Its unit at a `sizedOnScreen` of 1, if another. In between it is a mean of the two. */
   measureOnScreen?: HatchingMeasure;
   /** Left out: every finite number. */
   range?: NumberRange;
@@ -80,7 +80,7 @@ export interface MapRow extends BaseRow {
   default: StrokeStyleName;
 }
 
-/** One of several names: a define, so another choice builds another program. */
+/** A choice of several names: a define, so that another choice builds another program. */
 export interface ChoiceRow extends BaseRow {
   kind: 'choice';
   /** The exported type of the names, and what it is. */

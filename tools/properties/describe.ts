@@ -6,13 +6,13 @@ import type { PropertyRow } from './PropertyRow.js';
 /** A property in words, in parts that JSDoc and documentation put together each in their own way. */
 export interface PropertyDescription {
   sentence: string;
-  /** As one would write it in source. */
+  /** The value as source code. */
   default: string;
   /** Unit and range, as in `radians in (0, π]`; empty for what is no number. */
   measure: string;
-  /** As in `'triangle'`, `'adjacency'`; empty if it counts for all techniques. */
+  /** The techniques, as in `'triangle'`, `'adjacency'`; empty for all. */
   techniques: string;
-  /** What other properties must be, as in `medium: 'dry'`; empty if it counts with all. */
+  /** The conditions on other properties, as in `medium: 'dry'`; empty without any. */
   when: string;
   /** Whether another value may need another program. */
   isDefine: boolean;

@@ -1,9 +1,9 @@
 import type { HatchingMeasure } from '../../src/look/HatchingProperty.js';
 
-/** What numbers measure, in words for JSDoc and documentation. */
+/** Units of numbers, in words for JSDoc and documentation. */
 const WORDS: Readonly<Record<HatchingMeasure, string>> = {
   pixels: 'CSS pixels',
-  // Those of the grid itself: as many in a picture of any size.
+  // Pixels of the grid, whatever the size of the picture.
   gridPixels: 'pixels of the drawing buffer',
   radians: 'radians',
   tiles: 'tiles',

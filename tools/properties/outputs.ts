@@ -12,7 +12,7 @@ const DATA = 'src/look/hatchingProperties.ts';
 const FACTS = 'src/look/hatchingFacts.ts';
 const TYPES = 'src/material/HatchingMaterialProperties.ts';
 
-/** What the table writes: the path of every file in the repository, and its text. */
+/** The generated files: paths in the repository, and texts. */
 export function outputs(): Record<string, string> {
   return {
     [DATA]: formatted(DATA, writePropertyData(PROPERTIES, TECHNIQUES)),

@@ -1,8 +1,8 @@
 /** A way to lay strokes on a surface: one row, and a folder of chunks in shaders/techniques/ of the same name. */
 export interface TechniqueRow {
-  /** What it is, for JSDoc and documentation; Markdown. */
+  /** Its description for JSDoc and documentation, in Markdown. */
   sentence: string;
-  /** What it asks of a geometry's vertices: the primitive of six, or a normal at the scale of a stroke. */
+  /** The attributes that it requires: the primitive of six vertices, or a normal at the scale of a stroke. */
   vertexData: 'adjacency' | 'hatchNormal';
   /** The texture it reads, unless the material is crisp: that takes thresholds. */
   map: 'tonalArtMap' | 'thresholdMap' | 'none';

@@ -5,7 +5,7 @@ import { TECHNIQUES } from './techniques.js';
 const START = '<!-- Written by `npm run properties` from tools/properties/table.ts. -->';
 const END = '<!-- end of the properties -->';
 
-/** What stands above the table of what only the paper's techniques read. */
+/** The text above the table of properties that only the paper's techniques read. */
 const PAPER = `## Properties of \`triangle\` and \`adjacency\`
 
 Only the techniques of [the paper by Suarez et al.](research/paper.md) read these. The others draw as if they were not there.`;

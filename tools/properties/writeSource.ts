@@ -29,7 +29,7 @@ function defaults(): { readonly [Name in HatchingPropertyName]: (typeof HATCHING
   return Object.fromEntries(entries);
 }
 
-/** What the material needs to know of every technique. */
+/** Facts of every technique. */
 export const HATCHING_TECHNIQUES = {
 ${Object.entries(techniques)
   .map(
@@ -52,7 +52,7 @@ export function writePropertyFacts(table: Table): string {
   return `${HEADER}import type { HatchingFacts } from './HatchingProperty.js';
 import type { HatchingPropertyName } from './hatchingProperties.js';
 
-/** What the properties of \`HatchingMaterial\` measure, and what they count with; those that neither applies to are left out. */
+/** Units and conditions of the properties of \`HatchingMaterial\` that have any. */
 export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, HatchingFacts>>> = {
 ${facts.join('\n')}
 };
@@ -69,7 +69,7 @@ import type { HatchingMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { Vector2Like, Vector3Like } from './vectorValues.js';
 
-/** What a HatchingMaterial can be told, beside everything three's own \`Material\` accepts. */
+/** The parameters of a HatchingMaterial, besides those of three's own \`Material\`. */
 export interface HatchingMaterialOptions {
 ${rows.map(([name, row]) => `${jsDoc(row)}\n${name}: ${row.kind === 'color' ? 'ColorRepresentation' : setType(row)};`).join('\n')}
 }
@@ -158,7 +158,7 @@ function valueType(row: PropertyRow): string {
   }
 }
 
-/** What may be set, where that is more than is read. */
+/** Types of values that may be set, where these are wider than those that are read. */
 function setType(row: PropertyRow): string {
   if (row.kind === 'vector2') return 'Vector2Like';
   if (row.kind === 'point') return 'Vector3Like | null';
@@ -171,7 +171,7 @@ function field(name: string, row: PropertyRow): string {
   return `get ${name}(): ${valueType(row)};\nset ${name}(value: ${setType(row)});`;
 }
 
-/** Of the text in a comment, so that with indent and asterisk no line is longer than those of code. */
+/** Width of the text of a comment: with indent and asterisk, lines are as long as those of code. */
 const LINE_LENGTH = 115;
 
 function jsDoc(row: PropertyRow): string {
