@@ -32,6 +32,7 @@ import type { Shaders } from './shaders/hatchingShaders.js';
 import { resolveIncludes } from './shaders/resolveIncludes.js';
 import { conventionsChunk } from './shaders/shaderConventions.js';
 import { lightChunks } from './three/lightKinds.js';
+import { NO_VERTICES } from './three/posing.js';
 import { warnOfRenderer } from './warnOfRenderer.js';
 
 /** The sources of the background shaders, and the chunks that they share with materials. */
@@ -129,12 +130,12 @@ export class HatchingBackground extends Mesh<BufferGeometry, ShaderMaterial> {
   override readonly onBeforeRender = (renderer: WebGLRenderer, _scene: Scene, camera: Camera): void => {
     const { geometry, subject, material } = this;
     if ('isWebGPURenderer' in renderer) {
-      geometry.setDrawRange(0, -1);
+      geometry.setDrawRange(0, NO_VERTICES);
       warnOfRenderer('HatchingBackground', false);
       return;
     }
     const seen = subject?.seenFrom(renderer, camera);
-    geometry.setDrawRange(0, seen ? VERTICES : -1);
+    geometry.setDrawRange(0, seen ? VERTICES : NO_VERTICES);
     if (!subject || !seen) return;
     const u = material.uniforms;
     const pixelRatio = renderer.getPixelRatio();

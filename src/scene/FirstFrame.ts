@@ -3,7 +3,7 @@ import {
   type Camera,
   type Material,
   Mesh,
-  Object3D,
+  type Object3D,
   RawShaderMaterial,
   Scene,
   type Texture,
@@ -15,6 +15,7 @@ import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatching
 import { needsAdjacency, usesThresholds } from '../look/queries.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
+import { ObjectList } from '../material/three/posing.js';
 import { isHatching, materialsOf } from './surfaceMeshes.js';
 
 const POLL_MILLISECONDS = 10;
@@ -134,19 +135,6 @@ export class FirstFrame {
   private get programs(): readonly ThreeProgram[] {
     return this.renderer.info.programs ?? [];
   }
-}
-
-/** Objects for the renderer to compile. They stay in the scene, whose lights apply to them. */
-class ObjectList extends Object3D {
-  constructor(private readonly objects: readonly Object3D[]) {
-    super();
-  }
-
-  override traverse(callback: (object: Object3D) => void): void {
-    for (const object of this.objects) callback(object);
-  }
-
-  override traverseVisible(): void {}
 }
 
 /** Runs a function while meshes have other geometries and materials. */

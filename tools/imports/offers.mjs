@@ -164,6 +164,8 @@ export const OFFERS = {
     'tam/TonalArtMap.ts',
     'tam/TonalArtMapTexture.ts',
     'tam/toothMap.ts',
+    'three/posing.ts',
+    'three/privateData.ts',
   ],
   scene: [
     'AdaptiveResolution.ts',

@@ -3,15 +3,11 @@ import {
   Camera,
   FloatType,
   GLSL3,
-  type Matrix4,
   type Mesh,
   NearestFilter,
   NoBlending,
-  Points,
   Scene,
   ShaderMaterial,
-  type Skeleton,
-  type SkinnedMesh,
   Vector2,
   type Vector4,
   type WebGLRenderer,
@@ -21,6 +17,7 @@ import { pullColumns, pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import type { ShaderFiles, Shaders } from '../shaders/hatchingShaders.js';
 import { resolveIncludes } from '../shaders/resolveIncludes.js';
+import { CornerPoints, NO_CORNERS } from '../three/posing.js';
 import type { PosePass } from './Deformation.js';
 
 const files: ShaderFiles = import.meta.glob(
@@ -46,22 +43,9 @@ export function deformationShaders(): Shaders {
   return made;
 }
 
-/**
- * Draws the corners of a mesh as points, or its vertices if it has an index. three.js uploads bones and morph targets as it does for
- * the mesh.
- */
-class CornerPoints extends Points {
-  isSkinnedMesh = false;
-  skeleton: Skeleton | undefined;
-  bindMatrix: Matrix4 | undefined;
-  bindMatrixInverse: Matrix4 | undefined;
-}
-
 const noScene = /* @__PURE__ */ new Scene();
 const noCamera = /* @__PURE__ */ new Camera();
-const allCorners = { start: 0, count: Infinity };
-/** A draw range with which three.js builds the program, and then neither binds nor draws. */
-const noCorners = { start: 1, count: -2 };
+const allCorners: typeof NO_CORNERS = { start: 0, count: Infinity };
 
 /** The pre-pass: deforms the vertices of a geometry of the `pull` or `indexed` layout into textures, for the poses of its meshes. */
 export class PrePass implements PosePass {
@@ -112,24 +96,16 @@ export class PrePass implements PosePass {
 
   /** Builds the program, even before the geometry is on the GPU. */
   compile(target: WebGLRenderTarget, mesh: Mesh): void {
-    this.drawCorners(target, noCamera, mesh, noCorners);
+    this.drawCorners(target, noCamera, mesh, NO_CORNERS);
   }
 
   dispose(): void {
     this.shader.dispose();
   }
 
-  private drawCorners(into: WebGLRenderTarget, camera: Camera, mesh: Mesh, corners: typeof allCorners): void {
+  private drawCorners(into: WebGLRenderTarget, camera: Camera, mesh: Mesh, corners: typeof NO_CORNERS): void {
     const { points, renderer } = this;
-    points.morphTargetInfluences = mesh.morphTargetInfluences;
-    points.isSkinnedMesh = 'isSkinnedMesh' in mesh;
-    if (points.isSkinnedMesh) {
-      const { skeleton, bindMatrix, bindMatrixInverse } = mesh as SkinnedMesh;
-      points.skeleton = skeleton;
-      points.bindMatrix = bindMatrix;
-      points.bindMatrixInverse = bindMatrixInverse;
-    }
-
+    points.takePose(mesh);
     const target = renderer.getRenderTarget();
     const face = renderer.getActiveCubeFace();
     const level = renderer.getActiveMipmapLevel();
@@ -144,7 +120,6 @@ export class PrePass implements PosePass {
     const { viewport } = camera as Camera & { viewport?: Vector4 };
     if (viewport) renderer.state.viewport(viewport);
 
-    // The bones refer to the mesh, which must stay collectable.
     points.skeleton = undefined;
   }
 }

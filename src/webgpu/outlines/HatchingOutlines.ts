@@ -1,15 +1,4 @@
-import type { Object3D } from 'three';
-import {
-  type BufferGeometry,
-  type Camera,
-  type InstancedMesh,
-  type Material,
-  type Mesh,
-  type Scene,
-  Vector2,
-  Vector4,
-  type WebGLRenderer,
-} from 'three';
+import { type Object3D, type BufferGeometry, type Camera, type InstancedMesh, type Material, type Mesh, type Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
 import type { ClippingGroup, Renderer, WebGPURenderer } from 'three/webgpu';
 import { warn } from '../../material/diagnostics/warn.js';
 import { outlineDataOf } from '../../material/geometry/OutlineData.js';
@@ -17,6 +6,7 @@ import type { HatchingOutlineParameters } from '../../material/outlines/Hatching
 import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
 import { isCutOut, isDrawnBefore } from '../../material/outlines/surfaceRules.js';
+import { clippingOfFrame } from '../../material/three/privateData.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { placesOf } from './instancePlaces.js';
 import { hasFloatTargets, nodeDeformations } from './NodePosePass.js';
@@ -33,11 +23,7 @@ function clippingIn(group: Object3D | null, ofScene: Clipping): Clipping {
 
 /** The clipping planes of an object in the current frame: three.js does not pass them to objects that it draws once more. */
 function clippingOf(object: Object3D, renderer: WebGPURenderer): Clipping {
-  // A private name of three.js; if it is missing, nothing is clipped.
-  const { _currentRenderContext: frame } = renderer as unknown as {
-    _currentRenderContext?: { clippingContext: Clipping };
-  };
-  return clippingIn(object.parent, frame?.clippingContext ?? null);
+  return clippingIn(object.parent, clippingOfFrame<Clipping>(renderer) ?? null);
 }
 
 const drawnInto = /* @__PURE__ */ new Vector4();

@@ -3,14 +3,11 @@ import {
   type Camera,
   FloatType,
   type IUniform,
-  type Matrix4,
   type Mesh,
   NearestFilter,
   NoBlending,
   OrthographicCamera,
-  Points,
   RenderTarget,
-  type Skeleton,
   type SkinnedMesh,
   Vector2,
 } from 'three';
@@ -18,16 +15,9 @@ import { NodeMaterial, type WebGPURenderer } from 'three/webgpu';
 import type { PosePass } from '../../material/deformation/Deformation.js';
 import { Deformations } from '../../material/deformation/Deformations.js';
 import type { PulledVertices } from '../../material/geometry/PulledVertices.js';
+import { CornerPoints } from '../../material/three/posing.js';
 import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import { OF_CORNERS, OF_VERTICES } from '../nodes/outlines/poses.js';
-
-/** The corners of a mesh as points, or its vertices if it has an index. three.js deforms them as it does the mesh. */
-class CornerPoints extends Points {
-  isSkinnedMesh = false;
-  skeleton: Skeleton | undefined;
-  bindMatrix: Matrix4 | undefined;
-  bindMatrixInverse: Matrix4 | undefined;
-}
 
 class PoseMaterial extends NodeMaterial {
   /** The uniforms that nodes read. */
@@ -115,7 +105,6 @@ export class NodePosePass implements PosePass {
     geometry.setDrawRange(start, count);
     // three.js tells frames apart by this count, and the current frame goes on.
     renderer.info.render.calls = calls;
-    // A skeleton refers to its mesh, which would then never be collected.
     points.skeleton = undefined;
   }
 
@@ -124,19 +113,14 @@ export class NodePosePass implements PosePass {
   }
 
   private pointsOf(mesh: Mesh): CornerPoints {
-    const { bindMatrix, bindMatrixInverse, skeleton } = mesh as Partial<SkinnedMesh>;
-    const bones = skeleton?.bones.length ?? 0;
+    const bones = (mesh as Partial<SkinnedMesh>).skeleton?.bones.length ?? 0;
     let points = this.points.get(bones);
     if (!points) {
       points = new CornerPoints(this.geometry, this.material);
-      points.isSkinnedMesh = skeleton !== undefined;
       points.frustumCulled = false;
       this.points.set(bones, points);
     }
-    points.morphTargetInfluences = mesh.morphTargetInfluences;
-    points.skeleton = skeleton;
-    points.bindMatrix = bindMatrix;
-    points.bindMatrixInverse = bindMatrixInverse;
+    points.takePose(mesh);
     return points;
   }
 }

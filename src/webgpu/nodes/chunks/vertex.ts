@@ -1,5 +1,6 @@
 import type { BatchedMesh, BufferGeometry, InstancedMesh, Object3D, SkinnedMesh, Texture } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
+import { batchMatrices } from '../../../material/three/privateData.js';
 import { placesOf } from '../../outlines/instancePlaces.js';
 import { inverseOf, isOrthographic, linearPart } from '../base/maths.js';
 import { blankFloats, hatchingUniform, texelOf } from '../base/uniforms.js';
@@ -64,10 +65,7 @@ const instancePlaces = /* @__PURE__ */ threeNodes
 
 function placesTexture(object: Object3D): Texture | null {
   if ('isInstancedMesh' in object) return placesOf(object as InstancedMesh);
-  // A private name of three.js, by which its own materials read the texture.
-  return 'isBatchedMesh' in object
-    ? (object as BatchedMesh & { readonly _matricesTexture: Texture })._matricesTexture
-    : null;
+  return batchMatrices(object);
 }
 
 function placeOf(instance: Value): Value {
