@@ -1,4 +1,4 @@
-import type { BatchedMesh, BufferGeometry, InstancedMesh, Object3D, SkinnedMesh, Texture } from 'three';
+import type { BufferGeometry, InstancedMesh, Object3D, SkinnedMesh, Texture } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { batchMatrices } from '../../../material/three/privateData.js';
 import { placesOf } from '../../outlines/instancePlaces.js';

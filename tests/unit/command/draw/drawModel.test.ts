@@ -22,6 +22,8 @@ import {
   squareMtl,
   squareObj,
 } from '../../../../tools/modelFiles/modelFiles.js';
+import { dae, fbx } from '../../../../tools/modelFiles/sceneWriters.js';
+import { pathsOf, ringsOf } from '../../vector/paths.js';
 import { draw, optionsOf, refusal, SMALL, work } from './drawing.js';
 
 /** A picture in a format that only browsers decode: its header is all that is read. */

@@ -13,6 +13,7 @@ import { GALLERY } from '../../../../src/viewer/settings/gallery.js';
 import { type Look, lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 import { readLink } from '../../../../src/viewer/settings/shareLink.js';
+import { cases } from '../../../selection.mjs';
 import { builtInModel, SHARED, serveFiles, sharedModel } from './subjects.js';
 
 /** The sheets of windows of 1440 × 900, 1024 × 768 and 390 × 844 pixels: what neither panel nor caption covers. */
@@ -124,8 +125,15 @@ function expectWellPlacedAnywhere(model: HatchedModel, first: Direction): void {
   }
 }
 
+/** The cases of a list, a third of them in `npm test`. */
+const thirdOf = <Case>(all: readonly Case[]): readonly Case[] =>
+  cases(
+    all.filter((_, i) => i % 3 === 0),
+    all,
+  );
+
 describe('a model that is opened stands in the middle, with its shadow on the sheet', () => {
-  test.each(OWN)('%s', async (name) => {
+  test.each(thirdOf(OWN))('%s', { tags: ['more'] }, async (name) => {
     expectWellPlacedAnywhere(await builtInModel(name), BUILT_IN_MODELS[name].view ?? DEFAULT_VIEW);
   });
 
@@ -135,7 +143,7 @@ describe('a model that is opened stands in the middle, with its shadow on the sh
 });
 
 describe('a drawing of the gallery stands in the middle, with its shadow on the sheet and the light in front', () => {
-  test.each(GALLERY)('$name', async ({ link }) => {
+  test.each(thirdOf(GALLERY))('$name', { tags: ['more'] }, async ({ link }) => {
     const { settings } = readLink(link);
     const name = (settings.model === 'dragon3' ? 'dragon4' : settings.model) as BuiltInModel;
     const model = await builtInModel(name);

@@ -1,12 +1,20 @@
 import { describe, expect, it } from 'vitest';
 import { checkHatchImages } from '../../../../src/strokes/tamImages/checkHatchImages.js';
+import type { HatchImages } from '../../../../src/strokes/tamImages/HatchImages.js';
 import { makeLevels } from '../../../../src/strokes/tamImages/makeLevels.js';
 import { finish, hatchImages } from '../draw.js';
 
-/** The finest images of a map, as an artist might have drawn them, with the levels that are made for them. */
-const madeOf = (style: 'hatching' | 'stippling' | 'pencil') => {
+type Style = 'hatching' | 'stippling' | 'pencil';
+const made = new Map<Style, HatchImages>();
+
+/** The finest images of a map, as an artist might have drawn them, with the levels that are made for them, once for each style. */
+const madeOf = (style: Style): HatchImages => {
+  const known = made.get(style);
+  if (known) return known;
   const { size, images } = hatchImages({ style });
-  return finish(makeLevels({ size, images: images.map(([finest]) => [finest]) }));
+  const levels = finish(makeLevels({ size, images: images.map(([finest]) => [finest]) }));
+  made.set(style, levels);
+  return levels;
 };
 
 describe.each(['hatching', 'stippling', 'pencil'] as const)('makeLevels of %s', (style) => {

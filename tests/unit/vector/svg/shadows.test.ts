@@ -139,7 +139,7 @@ describe('the shadow on a ground', () => {
     },
   );
 
-  test.each(['ink', 'pen', 'woodcut'] as const)(
+  test.each(cases<readonly ('ink' | 'pen' | 'woodcut')[]>(['ink'], ['ink', 'pen', 'woodcut']))(
     'has the right tone at five stages of dissolving, drawn with %s',
     { tags: ['more'] },
     async (medium) => {
