@@ -5,14 +5,13 @@ import type { SettingGroup } from '../viewer/settings/table/rows.js';
 import { connectPage } from './connectPage.js';
 import { Dialogs } from './dialogs/Dialogs.js';
 import { Exports } from './export/Exports.js';
-import { GeometryLoader } from './loading/GeometryLoader.js';
-import { OcclusionLoader } from './loading/OcclusionLoader.js';
-import { linkedHand } from './maps/OwnHand.js';
+import { GeometryLoader, OcclusionLoader } from './loading/bakeLoaders.js';
 import { Overlays } from './overlay/Overlays.js';
 import { PageState } from './PageState.js';
 import { page, pageForm } from './page/page.js';
 import { Card } from './panel/Card.js';
 import { DrawingOpener } from './session/DrawingOpener.js';
+import { linkedHand } from './session/DrawingState.js';
 import { AddressWriter, DrawingStore } from './session/DrawingStore.js';
 import { PageAddress } from './session/PageAddress.js';
 import { RendererChoice } from './session/RendererChoice.js';
@@ -46,8 +45,8 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const session = new Session(viewport, linked.settings, tasks);
   session.views.list = linked.views;
   session.mapLoader.hand = linkedHand(linked.handText);
-  const keeper = new DrawingStore(address, status, () => void showRecent(keeper));
-  const opener = new DrawingOpener(session, address, keeper, status);
+  const store = new DrawingStore(address, status, () => void showRecent(store));
+  const opener = new DrawingOpener(session, address, store, status);
   const occlusion = new OcclusionLoader(viewport, session.settings, tasks);
   const geometries = new GeometryLoader(viewport, session.settings, tasks);
   const update = (): void => {
@@ -58,7 +57,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   // Everything that the page shows over the drawing.
   const overlays = new Overlays(session, parts);
-  const dialogs = new Dialogs(session, keeper, opener, parts);
+  const dialogs = new Dialogs(session, store, opener, parts);
   const exports = new Exports(session, address, status, tasks, geometries, parts);
   const fillScreen = (): void => {
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
@@ -80,8 +79,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 
   connectPage({ session, card, dialogs, exports, parts, status, fillScreen });
   addEventListener('hashchange', opener.follow);
-  const writer =
-    pageForm === 'playground' ? keepDrawing({ session, address, keeper, opener, tasks, parts }) : undefined;
+  const writer = pageForm === 'playground' ? keepDrawing({ session, address, store, opener, tasks, parts }) : undefined;
   opener.onEnd = () => {
     writer?.update();
     state.showIfFailed();
@@ -92,7 +90,7 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const isIdle = (): boolean =>
     tasks.isIdle && viewport.frames.isSettled && !isAwaited() && !parts.isFetching && !opener.isOpening;
   showToTests(viewport, isIdle);
-  if (pageForm === 'playground') void showRecent(keeper);
+  if (pageForm === 'playground') void showRecent(store);
   openFirst(linked, session, opener, pageForm === 'playground' ? address.drawing : undefined);
 }
 
@@ -103,14 +101,14 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
 function keepDrawing({
   session,
   address,
-  keeper,
+  store,
   opener,
   tasks,
   parts,
 }: {
   session: Session;
   address: PageAddress;
-  keeper: DrawingStore;
+  store: DrawingStore;
   opener: DrawingOpener;
   tasks: TaskRunner;
   parts: LaterParts;
@@ -119,7 +117,7 @@ function keepDrawing({
   const keptPicture = parts.later(async () => {
     const { KeptPicture } = await import('./session/KeptPicture.js');
     const isSettled = (): boolean => tasks.isIdle && !opener.isOpening;
-    return new KeptPicture(viewport, isSettled, (picture) => keeper.pictured(picture));
+    return new KeptPicture(viewport, isSettled, (picture) => store.pictured(picture));
   });
   viewport.frames.onFrame(() => keptPicture.present?.frameDrawn());
   // Without the script, a drawing is stored without a thumbnail.
@@ -128,7 +126,7 @@ function keepDrawing({
       keptPicture.fetch().catch(() => undefined),
       (picture) => picture?.want(),
     );
-  return new AddressWriter(session, address, keeper, wantPicture, () => opener.isOpening);
+  return new AddressWriter(session, address, store, wantPicture, () => opener.isOpening);
 }
 
 /** Opens the first drawing. @param kept the id of the stored drawing of the present history entry, if there is one */
@@ -170,8 +168,8 @@ function showFrameTime({ milliseconds, isCoarse }: FrameQuality): void {
 }
 
 /** Shows the button of recent drawings, if there are any. */
-async function showRecent(keeper: DrawingStore): Promise<void> {
-  page.recent.hidden = (await keeper.list()).length === 0;
+async function showRecent(store: DrawingStore): Promise<void> {
+  page.recent.hidden = (await store.list()).length === 0;
 }
 
 function showToTests(viewport: Viewport, isIdle: () => boolean): void {

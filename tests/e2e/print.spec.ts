@@ -228,10 +228,10 @@ test('tiles meet without a seam, and a large picture can be given up', { tag: '@
   page.on('download', (one) => downloads.push(one));
   await page.locator('#save-png').click();
   await expect(page.locator('#status')).toHaveText('Drawing the picture…');
-  await expect(page.locator('.curtain')).toBeVisible();
+  await expect(page.locator('.cover')).toBeVisible();
   await page.locator('#cancel').click();
   await expect(page.locator('#status')).toHaveText('Cancelled; the drawing is as it was.');
-  await expect(page.locator('.curtain')).toHaveCount(0);
+  await expect(page.locator('.cover')).toHaveCount(0);
   await ready(page);
   expect(changedShare(shown, await readDrawing(page))).toBe(0);
   expect(downloads).toEqual([]);

@@ -107,12 +107,12 @@ function packedGlb(): Buffer {
 }
 
 /** The copy that covers the drawing while a picture is saved: its size, and whether something is on it. */
-const firstCurtain = (page: Page) =>
+const firstCover = (page: Page) =>
   page.evaluate(
     () =>
       new Promise<object>((resolve) => {
         new MutationObserver(() => {
-          const copy = document.querySelector<HTMLCanvasElement>('.curtain');
+          const copy = document.querySelector<HTMLCanvasElement>('.cover');
           if (!copy) return;
           const { width, height } = copy;
           resolve({ width, height, alpha: copy.getContext('2d')!.getImageData(0, 0, 1, 1).data[3] });
@@ -178,10 +178,10 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
   const turned = await readDrawing(page);
   expect(changedShare(onWebGPU, turned)).toBeGreaterThan(0.02);
-  const curtain = firstCurtain(page);
+  const cover = firstCover(page);
   const saved = await savePicture(page);
   expect(unlikeShare(turned, saved)).toBeLessThan(0.002);
-  expect(await curtain).toEqual({ width: saved.width, height: saved.height, alpha: 255 });
+  expect(await cover).toEqual({ width: saved.width, height: saved.height, alpha: 255 });
   expect(unlikeShare(turned, await readDrawing(page))).toBe(0);
   await expect(nodeScreen(page)).toBeVisible();
   await expectWebGPUAlone(page);

@@ -92,7 +92,7 @@ test('a turntable is recorded as a video that plays', async ({ page, context }) 
   await expect(page.locator('#status')).toHaveText(
     `Saved: ${size.width} × ${size.height} px, 1 s with 12 frames a second, VP8 in WebM.`,
   );
-  await expect(page.locator('.curtain')).toHaveCount(0);
+  await expect(page.locator('.cover')).toHaveCount(0);
 
   const player = await context.newPage();
   await player.goto('/tests/browser/blank.html');
@@ -179,10 +179,10 @@ test('where no video is encoded, its frames are saved as pictures; what is lost 
 
   await page.getByRole('button', { name: 'Record a video' }).press('Enter');
   await expect(page.locator('#status')).toHaveText('Recording the video…');
-  await expect(page.locator('.curtain')).toBeVisible();
+  await expect(page.locator('.cover')).toBeVisible();
   await page.locator('#cancel').click();
   await expect(page.locator('#status')).toHaveText('Cancelled; the drawing is as it was.');
-  await expect(page.locator('.curtain')).toHaveCount(0);
+  await expect(page.locator('.cover')).toHaveCount(0);
   await page.getByRole('button', { name: 'Settings' }).click();
   await ready(page);
   expect(changedShare(shown, await readDrawing(page))).toBe(0);

@@ -11,7 +11,6 @@ const FIRST_MODULES = [
   '/src/material/parts/engraved.ts',
   '/src/material/parts/exposure.ts',
   '/src/material/geometry/bakedGeometry.ts',
-  '/src/playground/viewport/makeForerunner.ts',
   '/src/viewer/drawing/modelOfMesh.ts',
 ];
 

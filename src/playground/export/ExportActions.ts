@@ -1,4 +1,4 @@
-import type { GeometryLoader } from '../loading/GeometryLoader.js';
+import type { GeometryLoader } from '../loading/bakeLoaders.js';
 import { zipMap } from '../loading/mapFiles.js';
 import type { PageAddress } from '../session/PageAddress.js';
 import type { Session } from '../session/Session.js';
@@ -51,7 +51,7 @@ export class ExportActions {
 
   /** Records the video frame by frame, by the settings. */
   readonly saveVideo = (): Promise<void> =>
-    this.save(async () => (await import('./saveVideo.js')).saveVideo, {
+    this.save(async () => (await import('../video/saveVideo.js')).saveVideo, {
       label: 'Record it again',
       run: this.saveVideo,
     });
@@ -115,7 +115,7 @@ export class ExportActions {
     // The archive contains the model itself.
     link.delete('model');
     try {
-      const { zipDrawing } = await import('./zipDrawing.js');
+      const { zipDrawing } = await import('./zip.js');
       const drawing = {
         model: unpacked ?? files,
         strokes: session.ownStrokes ?? [],

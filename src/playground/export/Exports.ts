@@ -1,4 +1,4 @@
-import type { GeometryLoader } from '../loading/GeometryLoader.js';
+import type { GeometryLoader } from '../loading/bakeLoaders.js';
 import type { PageAddress } from '../session/PageAddress.js';
 import type { Session } from '../session/Session.js';
 import type { LaterPart, LaterParts } from '../tasks/LaterParts.js';

@@ -1,9 +1,10 @@
+import { REVISION } from 'three';
+import { version } from '../../../package.json';
 import { meshesOf } from '../../viewer/drawing/meshesOf.js';
 import type { ModelStatistics } from '../../viewer/drawing/statistics.js';
 import { extensionOf, withoutGz } from '../../viewer/files/common/fileName.js';
 import { FORMATS } from '../../viewer/files/formats.js';
 import { writeLink } from '../../viewer/settings/shareLink.js';
-import { VERSIONS } from '../code/versions.js';
 import type { Session } from '../session/Session.js';
 import { rendererName } from '../viewport/graphicsCard.js';
 
@@ -13,7 +14,7 @@ export function factsOf({ viewport, settings, modelLoader }: Session): string {
   const meshes = model ? meshesOf(model.root) : [];
   const formed = meshes.filter(({ geometry }) => geometry.userData.hatching?.lineField === 'form');
   return describeFacts({
-    versions: VERSIONS,
+    versions: { hatching: version, three: REVISION },
     browser: navigator.userAgent,
     graphics: rendererName(context),
     sheet: { width: canvas.clientWidth, height: canvas.clientHeight, pixelRatio: devicePixelRatio },

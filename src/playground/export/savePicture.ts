@@ -3,9 +3,9 @@ import { LAYERS } from '../../viewer/sceneSetup/layers.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { describePrint, drawPicture, nearestRadius, type PrintPlan, ZipWriter } from '../print/print.js';
 import type { PictureSession } from '../viewport/PictureSession.js';
-import { behindCurtain } from './behindCurtain.js';
 import type { SaveDrawing } from './download.js';
 import { download } from './download.js';
+import { drawCovered } from './drawCovered.js';
 
 /** The maximum number of pixels of a clipboard picture; other programs may fail to paste more. */
 const MOST_COPIED_PIXELS = 64_000_000;
@@ -21,7 +21,7 @@ export interface SavedPicture {
 
 /** Saves the picture by the settings: one PNG, or its layers in an archive. */
 export const savePicture: SaveDrawing<SavedPicture> = (viewport, settings, name, report, signal) =>
-  behindCurtain(viewport, settings, signal, async (session, plan) => {
+  drawCovered(viewport, settings, signal, async (session, plan) => {
     const saved = { size: describePrint(plan), pixelsPerRadius: nearestRadius(viewport.camera, plan) };
     if (settings.pictureLayers === 'one') {
       download(await drawWhole(session, settings, plan, report, signal), `${name}.png`);
@@ -39,7 +39,7 @@ export const savePicture: SaveDrawing<SavedPicture> = (viewport, settings, name,
 
 /** Draws the picture as one PNG for the clipboard. */
 export const drawForClipboard: SaveDrawing<Blob> = (viewport, settings, _name, report, signal) =>
-  behindCurtain(viewport, settings, signal, (session, plan) => {
+  drawCovered(viewport, settings, signal, (session, plan) => {
     if (plan.width * plan.height > MOST_COPIED_PIXELS)
       throw new Error('the picture is too large for a clipboard. Save it, or choose a smaller size.');
     return drawWhole(session, settings, plan, report, signal);

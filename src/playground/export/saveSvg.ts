@@ -4,9 +4,9 @@ import { materialLook } from '../../viewer/settings/materialLook.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawPicture, type PrintPlan, planSvg, printablePlan } from '../print/print.js';
 import type { PictureSession } from '../viewport/PictureSession.js';
-import { behindCurtain } from './behindCurtain.js';
 import type { SaveDrawing } from './download.js';
 import { download } from './download.js';
+import { drawCovered } from './drawCovered.js';
 
 /** The share of the progress for drawing the raster picture below the lines. */
 const PICTURE = 0.5;
@@ -19,7 +19,7 @@ type Strokes = 'lines' | 'picture' | 'nowhere';
  * not lines: in print they are a raster picture below the lines.
  */
 export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =>
-  behindCurtain(viewport, settings, signal, async (session, plan) => {
+  drawCovered(viewport, settings, signal, async (session, plan) => {
     const { sheet, margin, within } = planSvg(settings, plan);
     const isPen = settings.pictureSvg === 'pen';
     const strokes = strokesOf(settings);

@@ -1,4 +1,15 @@
-import type { FetchMessage } from './FetchMessage.js';
+/** A message from the fetching page to the playground. */
+export type FetchMessage =
+  | { kind: 'ready' }
+  | { kind: 'progress'; bytes: number; total: number | undefined }
+  | { kind: 'done'; content: Blob }
+  /** The server answered with an HTTP error. */
+  | { kind: 'refused'; status: number }
+  | { kind: 'too large' }
+  /** The server redirected to another site, to which the user has not agreed. */
+  | { kind: 'redirected' }
+  /** The request failed. Browsers do not tell scripts why. */
+  | { kind: 'failed' };
 
 /**
  * Fetches one file for the playground, which loads this page in a hidden frame. The Content-Security-Policy of this page allows requests to

@@ -3,10 +3,10 @@ import { type ExampleHandName, exampleHand, exampleHandNames } from 'three-hatch
 import { handLook, linesOfHand, lookWithoutHand } from '../../viewer/settings/handLook.js';
 import { drawsWithMap } from '../../viewer/settings/settingValues.js';
 import { download } from '../export/download.js';
-import type { OwnHand } from '../maps/OwnHand.js';
 import { element, textButton } from '../page/elements.js';
 import { page } from '../page/page.js';
 import { type SliderValue, ValueSlider } from '../page/ValueSlider.js';
+import type { OwnHand } from '../session/DrawingState.js';
 import type { Session } from '../session/Session.js';
 import { HAND_NUMBER_NAMES, HAND_SLIDERS, inUnit, numberOfShown, shownNumber } from './handSliders.js';
 import { changedNumbers, LEAST_STROKES, learnOwnHand, ownHandOf, withNumbers } from './ownHand.js';

@@ -4,7 +4,7 @@ import { ModelError } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import { readHand, writeHand } from '../../viewer/settings/handLink.js';
-import { HAND_FILE, type OwnHand } from '../maps/OwnHand.js';
+import { HAND_FILE, type OwnHand } from '../session/DrawingState.js';
 
 /** Creates the user's own hand, with its text for links and its file. */
 export const ownHandOf = (

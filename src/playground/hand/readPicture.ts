@@ -2,7 +2,7 @@ import { learnHandAsync, traceStrokes } from 'three-hatching';
 import type { Report } from '../../viewer/drawing/buildModel.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
-import type { OwnHand } from '../maps/OwnHand.js';
+import type { OwnHand } from '../session/DrawingState.js';
 import { LEAST_STROKES, learnOwnHand, ownHandOf } from './ownHand.js';
 import { layOut } from './swatches.js';
 

@@ -2,10 +2,10 @@ import type { TonalArtMap } from 'three-hatching';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithMap } from '../../viewer/settings/settingValues.js';
-import type { OwnHand } from '../maps/OwnHand.js';
-import type { MapSettings, TonalArtMapCache } from '../maps/TonalArtMapCache.js';
+import type { OwnHand } from '../session/DrawingState.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import type { Viewport } from '../viewport/Viewport.js';
+import type { MapSettings, TonalArtMapCache } from './TonalArtMapCache.js';
 
 /** Loads tonal art maps and draws with them. A map is generated from the settings or read from the user's files. */
 export class MapLoader {
@@ -106,7 +106,7 @@ export class MapLoader {
   }
 
   private async fetchCache(): Promise<TonalArtMapCache> {
-    const { TonalArtMapCache } = await import('../maps/TonalArtMapCache.js');
+    const { TonalArtMapCache } = await import('./TonalArtMapCache.js');
     this.cache ??= new TonalArtMapCache();
     return this.cache;
   }

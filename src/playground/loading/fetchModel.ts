@@ -2,7 +2,7 @@ import { baseName } from '../../viewer/files/common/fileName.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { shownName } from '../../viewer/files/common/shownText.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
-import type { FetchMessage } from '../fetch/FetchMessage.js';
+import type { FetchMessage } from '../fetch/fetchMain.js';
 
 /** The file name of a URL, and its host in ASCII form, which has no look-alike letters. */
 export function describeAddress(address: string): { name: string; site: string } {

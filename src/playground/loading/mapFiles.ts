@@ -5,8 +5,8 @@ import type { ModelFile } from '../../viewer/files/readModel.js';
 import { handLook } from '../../viewer/settings/handLook.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { readHandFile, readLinkedHand } from '../hand/ownHand.js';
-import type { OwnHand } from '../maps/OwnHand.js';
-import type { MapOptions, MapSettings, TonalArtMapCache } from '../maps/TonalArtMapCache.js';
+import type { OwnHand } from '../session/DrawingState.js';
+import type { MapOptions, MapSettings, TonalArtMapCache } from './TonalArtMapCache.js';
 
 /** If the previous map of a hand took longer than this, in milliseconds, a preview is drawn first. */
 const SOON = 500;
@@ -100,7 +100,7 @@ export async function showHandFile(
 
 /** Packs the files of a map into one archive. PNG images are compressed already, so they are stored. */
 export async function zipMap(map: TonalArtMap): Promise<Blob> {
-  const { ZipWriter } = await import('../print/BlobWriter.js');
+  const { ZipWriter } = await import('../export/zip.js');
   const zip = new ZipWriter();
   for (const file of await map.save()) await zip.add(file.name, file);
   return zip.end();

@@ -1,5 +1,5 @@
 import { Box3, BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Mesh, Vector3 } from 'three';
-import { HatchingMaterial } from 'three-hatching';
+import { HatchingMaterial, type HatchingMaterialParameters } from 'three-hatching';
 import type { BuiltInScene } from '../../viewer/drawing/buildModel.js';
 import { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { outlineOf } from '../../viewer/drawing/outlineOf.js';
@@ -25,34 +25,46 @@ export function placeholderOf(read: ReadModel | BuiltInScene, settings: Settings
   // Faster than three's measuring, which calls a function per number.
   const { low, high } = boundsOf(mesh.positions);
   geometry.boundingBox = new Box3(new Vector3(...low), new Vector3(...high));
-  const material = new HatchingMaterial({
-    tilesPerUnit: 1,
-    vertexColors: mesh.colors !== null,
-    side: isClosed ? FrontSide : DoubleSide,
-  });
+  const side = isClosed ? FrontSide : DoubleSide;
+  const vertexColors = mesh.colors !== null;
+  return unbaked(
+    geometry,
+    geometry.boundingBox,
+    { side, vertexColors },
+    triangleCount(mesh),
+    outlineOf(mesh.positions),
+  );
+}
+
+/**
+ * A degenerate triangle with the attributes and the material of a closed scan. It is drawn while the first model loads, so that its
+ * programs are ready by then: browsers compile a part of a program in the first frame that uses it.
+ */
+export function warmUpModel(): HatchedModel {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(9), 3));
+  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(9), 3));
+  geometry.setAttribute('hatchNormal', new BufferAttribute(new Int16Array(12), 4, true));
+  return unbaked(geometry, new Box3(), { side: FrontSide }, 1, new Float32Array(0));
+}
+
+/** A model of a geometry that was not baked, without outlines. */
+function unbaked(
+  geometry: BufferGeometry,
+  bounds: Box3,
+  parameters: HatchingMaterialParameters,
+  triangles: number,
+  outline: Float32Array,
+): HatchedModel {
+  const material = new HatchingMaterial({ tilesPerUnit: 1, ...parameters });
   const drawn = new Mesh(geometry, material);
   // Measuring whether the only object is in view would gain nothing.
   drawn.frustumCulled = false;
-  const statistics = {
-    triangles: triangleCount(mesh),
-    borderEdges: 0,
-    nonManifoldEdges: 0,
-    unpairedEdges: 0,
-    inconsistentEdges: 0,
-    degenerateTriangles: 0,
+  const none = { borderEdges: 0, nonManifoldEdges: 0, unpairedEdges: 0, inconsistentEdges: 0, degenerateTriangles: 0 };
+  const free = (): void => {
+    geometry.dispose();
+    material.dispose();
   };
-  return new HatchedModel(
-    new Group().add(drawn),
-    geometry.boundingBox,
-    outlineOf(mesh.positions),
-    undefined,
-    statistics,
-    undefined,
-    [material],
-    [],
-    () => {
-      geometry.dispose();
-      material.dispose();
-    },
-  );
+  const root = new Group().add(drawn);
+  return new HatchedModel(root, bounds, outline, undefined, { triangles, ...none }, undefined, [material], [], free);
 }

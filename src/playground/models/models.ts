@@ -11,8 +11,7 @@ import type { PlainMesh } from '../../viewer/files/mesh/PlainMesh.js';
 import type { ModelFile, ReadModel } from '../../viewer/files/readModel.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import type { LoadOptions } from '../reading/loadModelFiles.js';
-import { loadModelFiles } from '../reading/loadModelFiles.js';
-import { takeReadAhead } from '../reading/readAhead.js';
+import { loadModelFiles, takeReadAhead } from '../reading/loadModelFiles.js';
 
 interface BuiltIn {
   /** The name in the caption. */

@@ -1,6 +1,6 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
 import { findElement, textButton } from '../page/elements.js';
-import type { NamedItem, NamedList } from './NamedList.js';
+import type { NamedItem, NamedList } from './SavedViews.js';
 
 /** The part of a list that a bar shows. */
 export type BarItems = Pick<NamedList, 'items' | 'choose' | 'isShown'>;

@@ -2,8 +2,88 @@ import { acceptLook, hasLook, type OwnLook } from '../../viewer/settings/ownLook
 import { plainName } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { newId } from '../session/DrawingStore.js';
-import { KeptLooks, MOST_LOOKS } from '../storage/KeptLooks.js';
-import { freeName, type NamedItem, type NamedList } from './NamedList.js';
+import { freeName, type NamedItem, type NamedList } from './SavedViews.js';
+
+/** A look named by the user. */
+export interface KeptLook {
+  id: string;
+  name: string;
+  look: OwnLook;
+  /** A thumbnail of the drawing from which the look was saved, as a data URL. */
+  picture: string | undefined;
+}
+
+const STORED = 'three-hatching looks';
+/** The maximum number of stored looks. Further ones are ignored. */
+export const MOST_LOOKS = 60;
+/** The maximum length of a stored thumbnail. Those of the page have about a tenth of that. */
+const LONGEST_PICTURE = 100_000;
+
+/**
+ * The looks stored in the browser's local storage. Where that fails, they last until the page is closed.
+ *
+ * @param storage returns the local storage. Calling it, reading and writing may throw.
+ */
+export class KeptLooks {
+  private looks: readonly KeptLook[] = [];
+  /** Whether the browser has stored these looks. */
+  private isStored = true;
+
+  constructor(private readonly storage: () => Storage) {
+    this.refresh();
+  }
+
+  get list(): readonly KeptLook[] {
+    return this.looks;
+  }
+
+  /** Reads the looks again, because another tab may have changed them. */
+  refresh(): void {
+    if (!this.isStored) return;
+    try {
+      this.looks = readLooks(this.storage().getItem(STORED));
+    } catch {
+      // Without readable storage there are no looks.
+    }
+  }
+
+  /** Changes the looks. @returns whether the browser has stored the change */
+  change(edit: (looks: readonly KeptLook[]) => readonly KeptLook[]): boolean {
+    this.refresh();
+    this.looks = edit(this.looks);
+    try {
+      this.storage().setItem(STORED, JSON.stringify(this.looks));
+      this.isStored = true;
+    } catch {
+      this.isStored = false;
+    }
+    return this.isStored;
+  }
+}
+
+/** Parses looks from untrusted text. Invalid entries are left out. */
+function readLooks(text: string | null): KeptLook[] {
+  let stored: unknown;
+  try {
+    stored = JSON.parse(text ?? '[]');
+  } catch {
+    return [];
+  }
+  return Array.isArray(stored) ? stored.slice(0, MOST_LOOKS).flatMap(readLook) : [];
+}
+
+function readLook(stored: unknown): KeptLook[] {
+  if (!isRecord(stored) || !isRecord(stored.look) || typeof stored.id !== 'string') return [];
+  const name = plainName(String(stored.name));
+  return name ? [{ id: stored.id, name, look: acceptLook(stored.look), picture: readPicture(stored.picture) }] : [];
+}
+
+const isRecord = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null;
+
+const readPicture = (stored: unknown): string | undefined =>
+  typeof stored === 'string' && /^data:image\/(webp|png);/.test(stored) && stored.length <= LONGEST_PICTURE
+    ? stored
+    : undefined;
 
 /** The user's saved looks, stored by this browser. */
 export class OwnLooks implements NamedList {

@@ -1,12 +1,11 @@
 import type { OwnLook } from '../../viewer/settings/ownLook.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { findElement } from '../page/elements.js';
-import { thumbnailOf } from '../storage/thumbnailOf.js';
+import { thumbnailOf } from '../session/KeptPicture.js';
 import type { Viewport } from '../viewport/Viewport.js';
-import type { NamedItem } from './NamedList.js';
 import { type BarItems, type ListWords, NamedBar, NamedListDialog } from './NamedListDialog.js';
 import { OwnLooks } from './OwnLooks.js';
-import type { SavedViews } from './SavedViews.js';
+import type { NamedItem, SavedViews } from './SavedViews.js';
 
 const WORDS = {
   looks: {

@@ -17,7 +17,7 @@ export class DrawingOpener {
   constructor(
     private readonly session: Session,
     private readonly address: PageAddress,
-    private readonly keeper: DrawingStore,
+    private readonly store: DrawingStore,
     private readonly status: Status,
   ) {}
 
@@ -42,12 +42,12 @@ export class DrawingOpener {
   }
 
   private async open(show: (links: LinkFollower) => Promise<void>): Promise<void> {
-    const { session, address, keeper, status } = this;
+    const { session, address, store, status } = this;
     this.opening++;
     status.solveProblem('link');
     try {
       const { LinkFollower } = await import('./LinkFollower.js');
-      this.links ??= new LinkFollower(session, address, keeper);
+      this.links ??= new LinkFollower(session, address, store);
       await show(this.links);
     } catch (error) {
       status.addProblem('link', sentenceFor(error));

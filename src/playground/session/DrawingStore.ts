@@ -1,8 +1,8 @@
 import { shownName } from '../../viewer/files/common/shownText.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import type { CameraView } from '../../viewer/settings/CameraView.js';
-import type { KeptDrawing, KeptDrawings, KeptFiles } from '../storage/KeptDrawings.js';
 import type { Status } from '../tasks/Status.js';
+import type { KeptDrawing, KeptDrawings, KeptFiles } from './KeptDrawings.js';
 import type { PageAddress } from './PageAddress.js';
 import type { Session } from './Session.js';
 
@@ -30,7 +30,7 @@ export class DrawingStore {
 
   /** The script is fetched when it is first needed, which is after the first drawing. */
   private get drawings(): Promise<KeptDrawings> {
-    this.fetched ??= import('../storage/KeptDrawings.js').then(({ KeptDrawings }) => new KeptDrawings());
+    this.fetched ??= import('./KeptDrawings.js').then(({ KeptDrawings }) => new KeptDrawings());
     return this.fetched;
   }
 
@@ -141,7 +141,7 @@ export class AddressWriter {
   constructor(
     private readonly session: Session,
     private readonly address: PageAddress,
-    private readonly keeper: DrawingStore,
+    private readonly store: DrawingStore,
     /** Requests a thumbnail of the drawing. */
     private readonly wantPicture: () => void,
     /** Whether another drawing is being opened. */
@@ -172,7 +172,7 @@ export class AddressWriter {
       model: session.settings.model === 'file' ? modelLoader.ownFiles : undefined,
       map: session.ownStrokes,
     };
-    this.keeper.shown(files, modelLoader.shown.title, session.link, session.viewport.view.ownPlace);
+    this.store.shown(files, modelLoader.shown.title, session.link, session.viewport.view.ownPlace);
     if (files.model || files.map) this.wantPicture();
   }
 }

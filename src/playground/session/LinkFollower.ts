@@ -41,7 +41,7 @@ export class LinkFollower {
   constructor(
     private readonly session: Session,
     private readonly address: PageAddress,
-    private readonly keeper: DrawingStore,
+    private readonly store: DrawingStore,
   ) {}
 
   /** Shows the drawing of the page's address. Resolves when loading has begun. */
@@ -87,10 +87,10 @@ export class LinkFollower {
 
   /** Shows a stored drawing. @throws ModelError with one sentence for the user, if there is none */
   async openKept(id: string): Promise<void> {
-    const { session, keeper } = this;
+    const { session, store } = this;
     const { modelLoader, mapLoader } = session;
     const isShown = await this.asked.run(async (signal) => {
-      const kept = await keeper.open(id, signal).catch(() => 'unreadable' as const);
+      const kept = await store.open(id, signal).catch(() => 'unreadable' as const);
       if (signal.aborted) return;
       if (kept === undefined || kept === 'unreadable') {
         void mapLoader.showChosen();

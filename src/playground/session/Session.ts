@@ -6,11 +6,10 @@ import type { SettingKey, Settings } from '../../viewer/settings/settings.js';
 import { type LinkedDrawing, readLink, writeLink } from '../../viewer/settings/shareLink.js';
 import { MapLoader } from '../loading/MapLoader.js';
 import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';
-import { linkedHand, type OwnHand } from '../maps/OwnHand.js';
 import { SavedViews } from '../savedLooks/SavedViews.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import type { Viewport } from '../viewport/Viewport.js';
-import { type DrawingState, isSameState, type LookState } from './DrawingState.js';
+import { type DrawingState, isSameState, type LookState, linkedHand, type OwnHand } from './DrawingState.js';
 import { watchPresses } from './watchPresses.js';
 
 /** Events of a session. */

@@ -8,7 +8,7 @@ import {
   WebMOutputFormat,
 } from 'mediabunny';
 import type { Settings } from '../../viewer/settings/settings.js';
-import { ZipWriter } from '../print/BlobWriter.js';
+import { ZipWriter } from '../export/zip.js';
 import type { Size } from '../print/printPlan.js';
 import { LostContextError } from '../viewport/ContextLoss.js';
 import type { PictureSession } from '../viewport/PictureSession.js';

@@ -14,7 +14,7 @@ export type ModelChange = 'another' | 'completed' | 'back';
 /** The shown model. A placeholder may replace it until the next model is baked; if that fails, the earlier model returns. */
 export class ShownModel {
   private current: HatchedModel | undefined;
-  private forerunner: HatchedModel | undefined;
+  private warmUp: HatchedModel | undefined;
   private firstView: ViewDirection = DEFAULT_VIEW;
   private isTemporary = false;
   /** The model that a placeholder has replaced, which returns if the next model fails. */
@@ -37,9 +37,9 @@ export class ShownModel {
     return this.current;
   }
 
-  /** The object to draw: the model or, before there is one, the triangle of {@link makeForerunner}. */
+  /** The object to draw: the model or, before there is one, the triangle of `warmUpModel`. */
   get drawn(): HatchedModel | undefined {
-    return this.current ?? this.forerunner;
+    return this.current ?? this.warmUp;
   }
 
   /** Whether the model is a placeholder for one that is still being baked. */
@@ -48,9 +48,9 @@ export class ShownModel {
   }
 
   /** Draws a substitute until the first model is shown, which then is disposed of like an earlier model. */
-  setForerunner(forerunner: HatchedModel): void {
-    this.forerunner = forerunner;
-    this.holder.add(forerunner.root);
+  setWarmUp(warmUp: HatchedModel): void {
+    this.warmUp = warmUp;
+    this.holder.add(warmUp.root);
   }
 
   /**
@@ -134,10 +134,10 @@ export class ShownModel {
     const before = this.current;
     before?.root.removeFromParent();
     this.current = next;
-    if (this.forerunner) {
-      this.forerunner.root.removeFromParent();
-      this.previous.push(this.forerunner);
-      this.forerunner = undefined;
+    if (this.warmUp) {
+      this.warmUp.root.removeFromParent();
+      this.previous.push(this.warmUp);
+      this.warmUp = undefined;
     }
     if (next) this.holder.add(next.root);
     if (next && this.map) next.tonalArtMap = this.map;

@@ -4,13 +4,14 @@ import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
 import type { LensCamera } from '../../viewer/sceneSetup/LensCamera.js';
 import type { Look } from '../../viewer/settings/lookOf.js';
+import { warmUpModel } from '../loading/placeholderOf.js';
 import { ContextLoss } from './ContextLoss.js';
 import { FrameQuality } from './FrameQuality.js';
 import { Frames } from './Frames.js';
 import { Painter } from './Painter.js';
 import { Scenery } from './Scenery.js';
 import type { ModelChange, ShownModel } from './ShownModel.js';
-import { View } from './view/View.js';
+import { View } from './View.js';
 
 /** The drawing on the page: scenery, camera, frames, and pictures of it. */
 export class Viewport {
@@ -127,12 +128,10 @@ export class Viewport {
    * Compiles the programs of the first model while it is loaded. Call this when all techniques are loaded. Programs that need a map are not
    * built without one.
    */
-  async buildAhead(): Promise<void> {
-    // Without this module, the first frame builds its programs itself.
-    const part = await import('./makeForerunner.js').catch(() => undefined);
+  buildAhead(): void {
     const { shown, look } = this.scenery;
-    if (!part || shown.drawn || this.isLost || !look || look.needsMap) return;
-    shown.setForerunner(part.makeForerunner());
+    if (shown.drawn || this.isLost || !look || look.needsMap) return;
+    shown.setWarmUp(warmUpModel());
     this.show();
   }
 

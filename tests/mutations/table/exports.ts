@@ -36,7 +36,7 @@ export const exports: readonly Mutation[] = [
   },
   {
     name: 'margins of a sheet are on one side',
-    file: 'src/playground/print/svgPlan.ts',
+    file: 'src/playground/print/print.ts',
     find: '[width - 2 * margin, height - 2 * margin]',
     replace: '[width - margin, height - margin]',
     caughtBy: {

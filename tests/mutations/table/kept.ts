@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const kept: readonly Mutation[] = [
   {
     name: 'any address may be the picture of a look',
-    file: 'src/playground/storage/KeptLooks.ts',
+    file: 'src/playground/savedLooks/OwnLooks.ts',
     find: '/^data:image\\/(webp|png);/.test(stored) &&',
     replace: '',
     caughtBy: {
@@ -14,7 +14,7 @@ export const kept: readonly Mutation[] = [
   },
   {
     name: 'one drawing more is kept',
-    file: 'src/playground/storage/KeptDrawings.ts',
+    file: 'src/playground/session/KeptDrawings.ts',
     find: 'isSameModel(other) || i >= MOST - 1)',
     replace: 'isSameModel(other) || i >= MOST)',
     caughtBy: {
@@ -25,7 +25,7 @@ export const kept: readonly Mutation[] = [
   },
   {
     name: 'drawings come in the order of their age',
-    file: 'src/playground/storage/KeptDrawings.ts',
+    file: 'src/playground/session/KeptDrawings.ts',
     find: 'b.at - a.at',
     replace: 'a.at - b.at',
     caughtBy: {
@@ -36,7 +36,7 @@ export const kept: readonly Mutation[] = [
   },
   {
     name: 'a full quota is an error at once',
-    file: 'src/playground/storage/KeptDrawings.ts',
+    file: 'src/playground/session/KeptDrawings.ts',
     find: "!== 'QuotaExceededError'",
     replace: "=== 'QuotaExceededError'",
     caughtBy: {
@@ -47,7 +47,7 @@ export const kept: readonly Mutation[] = [
   },
   {
     name: 'a deleted drawing comes back',
-    file: 'src/playground/storage/KeptDrawings.ts',
+    file: 'src/playground/session/KeptDrawings.ts',
     find: 'if (known) await',
     replace: 'await',
     caughtBy: {
@@ -102,7 +102,7 @@ export const kept: readonly Mutation[] = [
   },
   {
     name: 'a free name may be taken',
-    file: 'src/playground/savedLooks/NamedList.ts',
+    file: 'src/playground/savedLooks/SavedViews.ts',
     find: 'if (!items.some((item) => item.name === name)) return name;',
     replace: 'return name;',
     caughtBy: {

@@ -1,8 +1,14 @@
 import { Box2, MathUtils, type PerspectiveCamera, Spherical, Vector2, Vector3 } from 'three';
 import { SETTINGS } from '../../../viewer/settings/settings.js';
 import type { LightPlace } from '../../../viewer/settings/settingValues.js';
-import { ViewportProjection } from '../view/ViewportProjection.js';
-import { intersectSphere, isBehind, isHidden, nearestOutlinePoint, radiusWithin } from './lightSphere.js';
+import {
+  intersectSphere,
+  isBehind,
+  isHidden,
+  nearestOutlinePoint,
+  radiusWithin,
+  ViewportProjection,
+} from './lightSphere.js';
 import { Silhouette } from './Silhouette.js';
 
 const STEP = 5;

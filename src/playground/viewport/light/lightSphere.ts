@@ -1,4 +1,4 @@
-import { Plane, Ray, Sphere, Vector3 } from 'three';
+import { type PerspectiveCamera, Plane, Ray, Raycaster, Sphere, Vector2, Vector3 } from 'three';
 
 /** The two points where a ray intersects a sphere around the origin; undefined if it misses or starts inside. */
 export function intersectSphere(ray: Ray, radius: number): { near: Vector3; far: Vector3 } | undefined {
@@ -39,4 +39,38 @@ export function isBehind(light: Vector3, eye: Vector3): boolean {
 export function isHidden(light: Vector3, eye: Vector3): boolean {
   const ray = new Ray(eye, new Vector3().subVectors(light, eye).normalize());
   return isBehind(light, eye) && ray.distanceSqToPoint(new Vector3()) < 1;
+}
+
+/** Converts between world space and pixels of an element that shows it, counted from the top left. */
+export class ViewportProjection {
+  private readonly raycaster = new Raycaster();
+
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly camera: PerspectiveCamera,
+  ) {}
+
+  get size(): { width: number; height: number } {
+    return { width: this.element.clientWidth, height: this.element.clientHeight };
+  }
+
+  /** The position of a pointer. */
+  pointer(event: PointerEvent): Vector2 {
+    const { left, top } = this.element.getBoundingClientRect();
+    return new Vector2(event.clientX - left, event.clientY - top);
+  }
+
+  /** The projected position of a world point. */
+  project(world: Vector3): Vector2 {
+    const { width, height } = this.size;
+    const projected = world.clone().project(this.camera);
+    return new Vector2(((projected.x + 1) / 2) * width, ((1 - projected.y) / 2) * height);
+  }
+
+  /** The ray through a position, in world space. It is overwritten by the next call. */
+  ray(position: Vector2): Ray {
+    const { width, height } = this.size;
+    this.raycaster.setFromCamera(new Vector2((position.x / width) * 2 - 1, 1 - (position.y / height) * 2), this.camera);
+    return this.raycaster.ray;
+  }
 }

@@ -7,8 +7,7 @@ import { mergeGeometries, mergeVertices } from 'three/addons/utils/BufferGeometr
 import { describe, expect, test } from 'vitest';
 import { codeForms } from '../../../../src/playground/code/codeForms.js';
 import type { CodeDrawing, CodeModel } from '../../../../src/playground/code/modelSource.js';
-import { modelSource } from '../../../../src/playground/code/modelSource.js';
-import { IMPORT_MAP } from '../../../../src/playground/code/versions.js';
+import { IMPORT_MAP, modelSource } from '../../../../src/playground/code/modelSource.js';
 import * as forms from '../../../../src/playground/models/forms.js';
 import { BUILT_IN_MODELS, BUST_FOOT, type BuiltInModel } from '../../../../src/playground/models/models.js';
 import { presetLook } from '../../../../src/viewer/settings/presets.js';

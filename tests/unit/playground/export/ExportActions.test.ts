@@ -3,7 +3,7 @@ import { beforeEach, expect, test, vi } from 'vitest';
 import { ExportActions } from '../../../../src/playground/export/ExportActions.js';
 import { saveFiner } from '../../../../src/playground/export/saveFiner.js';
 import { drawForClipboard } from '../../../../src/playground/export/savePicture.js';
-import { GeometryLoader } from '../../../../src/playground/loading/GeometryLoader.js';
+import { GeometryLoader } from '../../../../src/playground/loading/bakeLoaders.js';
 import { TaskRunner } from '../../../../src/playground/tasks/TaskRunner.js';
 import { bakeFurther } from '../../../../src/viewer/drawing/bakeFurther.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';

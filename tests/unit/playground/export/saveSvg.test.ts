@@ -7,8 +7,8 @@ import { defaultSettings, type Settings } from '../../../../src/viewer/settings/
 
 vi.mock('three-hatching/svg', () => ({ drawSVG: vi.fn() }));
 vi.mock('../../../../src/playground/export/download.js', () => ({ download: vi.fn() }));
-vi.mock('../../../../src/playground/export/behindCurtain.js', () => ({
-  behindCurtain: (_stage: unknown, settings: Settings, _signal: AbortSignal, draw: CallableFunction) =>
+vi.mock('../../../../src/playground/export/drawCovered.js', () => ({
+  drawCovered: (_stage: unknown, settings: Settings, _signal: AbortSignal, draw: CallableFunction) =>
     draw({ restoreScene: () => {} }, planPrint(settings, { width: 600, height: 400, isWide: true })),
 }));
 

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import type { FetchMessage } from '../../../../src/playground/fetch/FetchMessage.js';
+import type { FetchMessage } from '../../../../src/playground/fetch/fetchMain.js';
 import { eventually } from '../../patience.js';
 
 const ORIGIN = 'https://page.test';

@@ -1,6 +1,6 @@
 import { BufferGeometry, Group } from 'three';
 import { beforeEach, describe, expect, test, vi } from 'vitest';
-import { GeometryLoader } from '../../../../src/playground/loading/GeometryLoader.js';
+import { GeometryLoader } from '../../../../src/playground/loading/bakeLoaders.js';
 import { TaskRunner } from '../../../../src/playground/tasks/TaskRunner.js';
 import { bakeFurther } from '../../../../src/viewer/drawing/bakeFurther.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';

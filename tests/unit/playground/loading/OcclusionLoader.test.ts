@@ -1,6 +1,6 @@
 import { BoxGeometry, Group, InstancedMesh, Mesh } from 'three';
 import { expect, test, vi } from 'vitest';
-import { OcclusionLoader } from '../../../../src/playground/loading/OcclusionLoader.js';
+import { OcclusionLoader } from '../../../../src/playground/loading/bakeLoaders.js';
 import { TaskRunner } from '../../../../src/playground/tasks/TaskRunner.js';
 import { bakeOcclusion } from '../../../../src/viewer/drawing/bakeOcclusion.js';
 import { eventually } from '../../patience.js';

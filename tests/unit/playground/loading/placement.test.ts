@@ -4,7 +4,7 @@ import { Group, MathUtils, Vector3 } from 'three';
 import { beforeAll, describe, expect, test, vi } from 'vitest';
 import { lightModel } from '../../../../src/playground/loading/lightModel.js';
 import { BUILT_IN_MODELS, type BuiltInModel } from '../../../../src/playground/models/models.js';
-import { View } from '../../../../src/playground/viewport/view/View.js';
+import { View } from '../../../../src/playground/viewport/View.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
 import { NO_EXTRAS } from '../../../../src/viewer/files/common/ModelExtras.js';
 import { createCamera, DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/LensCamera.js';

@@ -1,7 +1,7 @@
 import { crc32 } from 'node:zlib';
 import { PNG } from 'pngjs';
 import { describe, expect, test } from 'vitest';
-import { BlobWriter } from '../../../../src/playground/print/BlobWriter.js';
+import { BlobWriter } from '../../../../src/playground/export/zip.js';
 import { PngWriter } from '../../../../src/playground/print/PngWriter.js';
 
 /** Every chunk of a PNG, its checksum checked. */

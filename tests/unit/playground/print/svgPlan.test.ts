@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { planSvg, printablePlan } from '../../../../src/playground/print/print.js';
 import { cutPlan, planPrint, toMillimetres } from '../../../../src/playground/print/printPlan.js';
-import { planSvg, printablePlan } from '../../../../src/playground/print/svgPlan.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 
 const view = { width: 900, height: 500, isWide: true };

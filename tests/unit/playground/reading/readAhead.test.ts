@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { type ReadAhead, takeReadAhead } from '../../../../src/playground/reading/readAhead.js';
+import { type ReadAhead, takeReadAhead } from '../../../../src/playground/reading/loadModelFiles.js';
 
 beforeEach(() => {
   vi.stubGlobal('document', { baseURI: 'https://example.org/page/index.html' });

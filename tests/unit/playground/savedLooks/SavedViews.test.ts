@@ -1,6 +1,5 @@
 import { expect, test, vi } from 'vitest';
-import { freeName } from '../../../../src/playground/savedLooks/NamedList.js';
-import { SavedViews } from '../../../../src/playground/savedLooks/SavedViews.js';
+import { freeName, SavedViews } from '../../../../src/playground/savedLooks/SavedViews.js';
 import type { CameraView } from '../../../../src/viewer/settings/CameraView.js';
 import type { Look } from '../../../../src/viewer/settings/lookOf.js';
 import { MAX_VIEWS } from '../../../../src/viewer/settings/savedViews.js';

@@ -28,9 +28,9 @@ function createWriter() {
   const address = { isFollowed: false };
   const state = { isOpening: false };
   const written: string[] = [];
-  const keeper = { shown: (_files: unknown, _title: string, link: string) => void written.push(link) };
+  const store = { shown: (_files: unknown, _title: string, link: string) => void written.push(link) };
   const want = vi.fn();
-  new AddressWriter(session as never, address as never, keeper as never, want, () => state.isOpening);
+  new AddressWriter(session as never, address as never, store as never, want, () => state.isOpening);
   return { session, modelLoader, address, state, written, want, change: () => listeners[0].applied?.() };
 }
 

@@ -46,8 +46,8 @@ function onPage({ address, drawing, link = {}, shown = {} }: PageContent = {}) {
     showLook: vi.fn(),
     recordChange: vi.fn(),
   };
-  const keeper = { open: vi.fn(async () => undefined) };
-  const follower = new LinkFollower(session as never, { drawing, read: () => '' } as never, keeper as never);
+  const store = { open: vi.fn(async () => undefined) };
+  const follower = new LinkFollower(session as never, { drawing, read: () => '' } as never, store as never);
   return { follower, session, modelLoader };
 }
 

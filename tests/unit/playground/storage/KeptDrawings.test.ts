@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { type KeptDrawing, KeptDrawings } from '../../../../src/playground/storage/KeptDrawings.js';
+import { type KeptDrawing, KeptDrawings } from '../../../../src/playground/session/KeptDrawings.js';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => {

@@ -131,18 +131,18 @@ test('a model gets its look before it is shown, unless that is cancelled', async
 });
 
 test('the object before the first model is disposed of once the model has been drawn', () => {
-  const { shown, models, seen, disposed } = stageOf('forerunner', 'first', 'second');
-  const [forerunner, first, second] = models.map(asModel);
-  shown.setForerunner(forerunner);
+  const { shown, models, seen, disposed } = stageOf('warmUp', 'first', 'second');
+  const [warmUp, first, second] = models.map(asModel);
+  shown.setWarmUp(warmUp);
   const look = lookOf(defaultSettings());
   shown.apply(look);
   expect(models[0].apply).toHaveBeenCalledWith(look);
-  expect([shown.model, shown.drawn, seen()]).toEqual([undefined, forerunner, ['forerunner']]);
+  expect([shown.model, shown.drawn, seen()]).toEqual([undefined, warmUp, ['warmUp']]);
   shown.setPlaceholder(first);
   expect([shown.model, shown.drawn, seen(), disposed()]).toEqual([first, first, ['first'], []]);
   // The stand-in was not drawn: it does not keep what was drawn before it.
   shown.set(second);
-  expect([seen(), disposed()]).toEqual([['second'], ['forerunner']]);
+  expect([seen(), disposed()]).toEqual([['second'], ['warmUp']]);
   shown.disposePrevious();
-  expect(disposed()).toEqual(['forerunner', 'first']);
+  expect(disposed()).toEqual(['warmUp', 'first']);
 });

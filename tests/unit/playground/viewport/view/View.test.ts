@@ -1,6 +1,6 @@
 import { BoxGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { View } from '../../../../../src/playground/viewport/view/View.js';
+import { View } from '../../../../../src/playground/viewport/View.js';
 import { createCamera } from '../../../../../src/viewer/sceneSetup/LensCamera.js';
 import type { CameraLens, CameraView } from '../../../../../src/viewer/settings/CameraView.js';
 import { defaultSettings } from '../../../../../src/viewer/settings/settings.js';

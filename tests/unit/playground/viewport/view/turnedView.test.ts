@@ -1,6 +1,6 @@
 import { BoxGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { turnedView } from '../../../../../src/playground/viewport/view/turnedView.js';
+import { turnedView } from '../../../../../src/playground/viewport/turnedView.js';
 import { proportionOf } from '../../../../../src/viewer/sceneSetup/framing.js';
 
 const outlineOf = (...size: [number, number, number]): ArrayLike<number> =>

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { zipDrawing } from '../../../../../src/playground/export/zipDrawing.js';
+import { zipDrawing } from '../../../../../src/playground/export/zip.js';
 import { describeBundle } from '../../../../../src/viewer/files/archives/bundle.js';
 import {
   colorsOf,

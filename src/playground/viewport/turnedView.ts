@@ -1,5 +1,5 @@
 import { MathUtils, Spherical, Vector3 } from 'three';
-import { proportionOf } from '../../../viewer/sceneSetup/framing.js';
+import { proportionOf } from '../../viewer/sceneSetup/framing.js';
 
 /** The range and step by which the view may be turned about the up axis and raised, in degrees, and the turn with the highest cost. */
 const TURN = { most: 75, step: 5, bad: 45 };

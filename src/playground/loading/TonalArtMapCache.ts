@@ -1,4 +1,4 @@
-import type { Hand, TonalArtMap } from 'three-hatching';
+import { type Hand, TonalArtMap } from 'three-hatching';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 
 /** The settings that determine a tonal art map. */
@@ -9,7 +9,7 @@ export interface MapOptions {
   onProgress: (progress: number) => void;
 }
 
-/** Generates tonal art maps for settings. Caches the latest few, and the user's own. */
+/** Fetched with the first map. Generates tonal art maps for settings. Caches the latest few, and the user's own. */
 export class TonalArtMapCache {
   private static readonly kept = 6;
   private readonly maps = new Map<string, TonalArtMap>();
@@ -41,7 +41,7 @@ export class TonalArtMapCache {
     const key = this.keyOf(settings, hand);
     const start = performance.now();
     const known = this.maps.get(key);
-    const map = known ?? (await generate({ ...drawingOf(settings, hand), ...options }));
+    const map = known ?? (await TonalArtMap.generate({ ...drawingOf(settings, hand), ...options }));
     if (hand && !known && settings.mapSize === SETTINGS.mapSize.default) this.handTime = performance.now() - start;
     this.maps.delete(key);
     this.maps.set(key, map);
@@ -81,6 +81,3 @@ const drawingOf = (settings: MapSettings, hand: Hand | undefined) => ({
   tones: settings.mapTones,
   seed: settings.mapSeed,
 });
-
-const generate: typeof TonalArtMap.generate = async (options) =>
-  (await import('./generateMap.js')).generateMap(options);

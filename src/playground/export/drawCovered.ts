@@ -9,15 +9,17 @@ const LOST =
   'The graphics card let go of the drawing while it was being saved. There is no picture; save it again when the drawing is back, smaller if that fails too.';
 
 /**
- * Draws a picture behind a curtain, with frames on hold. @param draw receives the plan of the picture: its part of the view and its size
+ * Draws a picture while a copy covers the canvas, with frames on hold.
+ *
+ * @param draw receives the plan of the picture: its part of the view and its size
  */
-export async function behindCurtain<Result>(
+export async function drawCovered<Result>(
   viewport: Viewport,
   settings: Settings,
   signal: AbortSignal,
   draw: (session: PictureSession, plan: PrintPlan) => Promise<Result>,
 ): Promise<Result> {
-  const curtain = raiseCurtain(viewport, settings.paper);
+  const cover = coverCanvas(viewport, settings.paper);
   const session = new PictureSession(viewport);
   const goBack = viewport.view.composeFor(sheetOnView(settings, drawnView(viewport)));
   try {
@@ -30,26 +32,26 @@ export async function behindCurtain<Result>(
   } finally {
     goBack();
     session.release();
-    curtain.lower();
+    cover.remove();
   }
 }
 
 /** A copy of the drawing that covers the canvas during an export. */
-interface Curtain {
+interface Cover {
   /** Shows another picture instead, whole, on paper. */
   show(picture: HTMLCanvasElement): void;
-  /** Removes the curtain. */
-  lower(): void;
+  /** Removes the cover. */
+  remove(): void;
 }
 
 /**
  * Covers the drawing with a copy and disables everything but Cancel, while a picture is drawn in tiles, or a video frame by frame, on the
  * same canvas.
  */
-export function raiseCurtain(viewport: Viewport, paper: string): Curtain {
+export function coverCanvas(viewport: Viewport, paper: string): Cover {
   const { card, bar } = page;
   const copy = document.createElement('canvas');
-  copy.className = 'curtain';
+  copy.className = 'cover';
   copy.setAttribute('aria-hidden', 'true');
   // Drawn and copied in one task, because the canvas does not keep its content.
   viewport.frames.draw();
@@ -69,7 +71,7 @@ export function raiseCurtain(viewport: Viewport, paper: string): Curtain {
       context.fillRect(0, 0, width, height);
       context.drawImage(picture, (width - wide) / 2, (height - high) / 2, wide, high);
     },
-    lower() {
+    remove() {
       for (const part of [page.viewport, card, bar]) part.inert = false;
       if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
       copy.remove();
