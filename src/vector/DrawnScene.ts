@@ -16,17 +16,10 @@ export interface TurnedLines {
   field: Field | null;
 }
 
-/** A surface whose lines are engraved. */
-export interface EngravedSurface {
+/** A surface with lines or dots. */
+interface DrawnSurface {
   surface: LineSurface;
-  engraved: EngravedLook;
-  /** The field of the first family; null for lines that follow the form. */
-  field: Field | null;
-  /** The lines in shadows that turn them. */
-  turned: readonly TurnedLines[];
   look: SurfaceLook;
-  /** Whether it hides what is behind it, and so is part of the hierarchy. */
-  hides: boolean;
   /** Null without textures and vertex colours that affect tone. */
   paint: PaintLook | null;
   /** Null without clipping planes. */
@@ -35,18 +28,22 @@ export interface EngravedSurface {
   ink: string;
 }
 
+/** A surface whose lines are engraved. */
+export interface EngravedSurface extends DrawnSurface {
+  engraved: EngravedLook;
+  /** The field of the first family; null for lines that follow the form. */
+  field: Field | null;
+  /** The lines in shadows that turn them. */
+  turned: readonly TurnedLines[];
+  /** Whether it hides what is behind it, and so is part of the hierarchy. */
+  hides: boolean;
+}
+
 /** A stippled surface. Its field space is object space. */
-export interface StippledSurface {
-  surface: LineSurface;
+export interface StippledSurface extends DrawnSurface {
   size: DotSize;
   set: DotSet;
   layers: DotLayers;
-  look: SurfaceLook;
-  /** Null without textures and vertex colours that affect tone. */
-  paint: PaintLook | null;
-  /** Null without clipping planes. */
-  clip: Clip | null;
-  ink: string;
 }
 
 /** A field of ruled lines behind a subject. */

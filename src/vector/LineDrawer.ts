@@ -1,4 +1,5 @@
 import { OUTLINE_CONSTANTS } from '../look/constants/outlineConstants.js';
+import { vectorAt } from '../look/vectors.js';
 import { asPhase } from '../mesh/phases.js';
 import type { Bvh } from './Bvh.js';
 import { backgroundPaths } from './backgroundPaths.js';
@@ -214,8 +215,7 @@ export class LineDrawer {
 
   private fadedHalves({ halves, world, triangles }: Chain, left: number): Float64Array {
     return halves.map((half, i) => {
-      const place = [world[3 * i], world[3 * i + 1], world[3 * i + 2]] as const;
-      return left * half * this.fading.deepening(place, triangles[i]);
+      return left * half * this.fading.deepening(vectorAt(world, 3 * i), triangles[i]);
     });
   }
 
@@ -236,7 +236,7 @@ export class LineDrawer {
     const toner = new Toner(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
     const places = new PlaceReader(surface, paint, sides, projection);
-    const tones = new VertexTones(toner, surface.placeOf.length);
+    const tones = new VertexTones(toner);
     const lines: TracedLine[] = [];
     const all = [drawn, ...turned];
     for (const [i, { engraved, field }] of all.entries()) {

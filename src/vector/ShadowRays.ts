@@ -33,7 +33,7 @@ const { EDGE_SAMPLES: RAYS, RIM_SAMPLES: RIM } = SHADOW_SAMPLES;
 /** Rays that start beside a place start in its tangent plane, unless its cosine to the light is less than this. */
 const LEAST_LEAN = 0.25;
 
-const LIT: ReceivedShadow = { passing: 1, left: 1 };
+export const LIT: ReceivedShadow = { passing: 1, left: 1 };
 const MIDDLE: readonly [number, number] = [0, 0];
 
 /** Points on the unit disc in a sunflower pattern, outermost first, so that those of the rim lie evenly around it. */

@@ -3,8 +3,8 @@ import { radianceAround, type Surroundings } from '../look/surroundings.js';
 import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
-import { fadedPlace, type Projection } from './Projection.js';
-import { type LampShadow, type ReceivedShadow, ShadowRays } from './ShadowRays.js';
+import { type Projection, fadedPlace } from './Projection.js';
+import { type LampShadow, LIT, type ReceivedShadow, ShadowRays } from './ShadowRays.js';
 import { fadingAt, type ObjectFading } from './shading/fading.js';
 import { type GroundLook, groundTone } from './shading/groundShadow.js';
 import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from './shading/radiance.js';
@@ -59,7 +59,6 @@ export type Shadowing = 'traced' | 'none' | 'all';
 
 const { LEAST_RESPONSE } = TONE_CONSTANTS;
 
-const LIT: ReceivedShadow = { passing: 1, left: 1 };
 const SHADED: ReceivedShadow = { passing: 0, left: 1 };
 
 /** Computes the tone of a surface under the lights of a scene. */
@@ -157,28 +156,15 @@ export class Toner {
   }
 }
 
-/** Caches the tones of vertices, which all families of a surface share. */
+/** Caches the tones of vertices of a body, which all families of a surface share. */
 export class VertexTones {
-  private tones = new Float64Array(0);
-  private unshadowed = new Float64Array(0);
+  private readonly known: Tones[] = [];
 
-  /** @param count of vertices */
-  constructor(
-    private readonly toner: Toner,
-    private readonly count: number,
-  ) {}
+  constructor(private readonly toner: Toner) {}
 
-  /** The tone of a vertex of a body. place: of the vertex, for the case that it was not read yet. */
+  /** The tones of a vertex. place: of the vertex, for the case that it was not read yet. */
   at(vertex: number, place: SurfacePlace): Tones {
-    if (this.tones.length === 0) {
-      this.tones = new Float64Array(this.count).fill(Number.NaN);
-      this.unshadowed = new Float64Array(this.count);
-    }
-    if (Number.isNaN(this.tones[vertex])) {
-      const { tone, unshadowed } = this.toner.read(place, this.toner.hasShadows ? 'traced' : 'none');
-      this.tones[vertex] = tone;
-      this.unshadowed[vertex] = unshadowed;
-    }
-    return { tone: this.tones[vertex], unshadowed: this.unshadowed[vertex], shadows: 0, left: 1, full: 0, turned: 0 };
+    this.known[vertex] ??= this.toner.read(place, this.toner.hasShadows ? 'traced' : 'none');
+    return this.known[vertex];
   }
 }

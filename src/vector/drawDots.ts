@@ -3,17 +3,15 @@ import { combined, dot, normalize, timesVector, type Vec3 } from '../look/vector
 import { asPhase } from '../mesh/phases.js';
 import type { Bvh } from './Bvh.js';
 import type { DrawnScene, StippledSurface } from './DrawnScene.js';
-import { between, type LineSurface, STRIDE, type SurfacePlace } from './LineSurface.js';
+import { between, STRIDE, type SurfacePlace } from './LineSurface.js';
 import type { Projection } from './Projection.js';
 import type { Fading } from './paint/Fading.js';
-import { type Clip, isClipped } from './paint/PaintLook.js';
+import { isClipped } from './paint/PaintLook.js';
 import { PlaceReader } from './paint/PlaceReader.js';
 import { type ScreenMap, screenGradient, screenMap } from './shading/screenGradient.js';
 import {
   coverOf,
-  type DotLayers,
   type DotPlane,
-  type DotSet,
   type DotSize,
   directionOfNeedles,
   dotArea,
@@ -56,22 +54,6 @@ export function* drawDots(
   return layers;
 }
 
-function* dotsOf(
-  { surface, size, set, layers, look, paint, clip }: StippledSurface,
-  { illumination }: DrawnScene,
-  projection: Projection,
-  bvh: Bvh,
-  fading: Fading,
-  above: number,
-): Generator<number, Dot[], void> {
-  yield* asPhase(subdivide(surface, projection), 0, 0.1);
-  const sides = yield* asPhase(seenSides(surface, projection), 0.1, 0.15);
-  const toner = new Toner(look, illumination, bvh, projection);
-  const places = new PlaceReader(surface, paint, sides, projection);
-  const scene = { surface, places, clip, size, set, layers, toner, projection, bvh, fading, sides, above };
-  return yield* asPhase(placeDots(scene), 0.15, 1);
-}
-
 /** A disc, pixels of the picture. */
 export interface Dot {
   x: number;
@@ -79,15 +61,9 @@ export interface Dot {
   radius: number;
 }
 
-/** The inputs for placing dots. The field space of the surface is object space. */
-export interface DotScene {
-  surface: LineSurface;
+/** The inputs for placing the dots of a surface. */
+interface DotScene extends StippledSurface {
   places: PlaceReader;
-  /** Null without clipping planes. */
-  clip: Clip | null;
-  size: DotSize;
-  set: DotSet;
-  layers: DotLayers;
   toner: Toner;
   projection: Projection;
   bvh: Bvh;
@@ -112,11 +88,22 @@ const SPARE = 0.15;
 const MOST_CELLS = 1 << 16;
 
 /** Places the visible dots of a surface. Yields its progress. */
-export function* placeDots(scene: DotScene): Generator<number, Dot[], void> {
-  const { sides } = scene;
-  const placer = new DotPlacer(scene);
+function* dotsOf(
+  stippled: StippledSurface,
+  { illumination }: DrawnScene,
+  projection: Projection,
+  bvh: Bvh,
+  fading: Fading,
+  above: number,
+): Generator<number, Dot[], void> {
+  const { surface, look, paint } = stippled;
+  yield* asPhase(subdivide(surface, projection), 0, 0.1);
+  const sides = yield* asPhase(seenSides(surface, projection), 0.1, 0.15);
+  const toner = new Toner(look, illumination, bvh, projection);
+  const places = new PlaceReader(surface, paint, sides, projection);
+  const placer = new DotPlacer({ ...stippled, places, toner, projection, bvh, fading, sides, above });
   for (let t = 0; t < sides.length; t++) {
-    if (t % 64 === 63) yield t / sides.length;
+    if (t % 64 === 63) yield 0.15 + (0.85 * t) / sides.length;
     if (sides[t] !== 0) placer.onTriangle(t);
   }
   return placer.dots;

@@ -70,12 +70,8 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   });
   for (const { ink, dots } of stippled) {
     const finished = yield* asPhase(finishDots(dots, plan, placement), middle, to);
-    named.push({
-      name: stippled.length === 1 ? 'stipple' : `stipple ${ink}`,
-      ink,
-      opacity: 1,
-      paths: finished.written,
-    });
+    const name = stippled.length === 1 ? 'stipple' : `stipple ${ink}`;
+    named.push({ name, ink, opacity: 1, paths: finished.written });
     for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += finished.counts[name];
   }
   const { left: x, top: y, scale } = placement;

@@ -1,4 +1,4 @@
-import { combined, dot, lengthOf, type Vec3 } from '../look/vectors.js';
+import { combined, dot, lengthOf, type Vec3, vectorAt } from '../look/vectors.js';
 import { CASTS_BACK, CASTS_FRONT } from './Bvh.js';
 import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
 import type { GroundLook } from './shading/groundShadow.js';
@@ -47,10 +47,7 @@ export function* dropLit(
 ): Generator<number, void, void> {
   const { vertices, triangles, parents } = surface;
   const casting = lamps.filter(({ castsShadow }, i) => castsShadow && shadows[i]);
-  const cornerOf = (c: number): Vec3 => {
-    const o = STRIDE * triangles[c] + WORLD;
-    return [vertices[o], vertices[o + 1], vertices[o + 2]];
-  };
+  const cornerOf = (c: number): Vec3 => vectorAt(vertices, STRIDE * triangles[c] + WORLD);
   const mayBeShaded = (t: number): boolean => {
     if (!casters) return false;
     const [a, b, c] = [cornerOf(3 * t), cornerOf(3 * t + 1), cornerOf(3 * t + 2)];

@@ -1,4 +1,4 @@
-import { smoothstep } from '../look/vectors.js';
+import { smoothstep, vectorAt } from '../look/vectors.js';
 import { asPhase } from '../mesh/phases.js';
 import type { FamilyName } from './Engraver.js';
 import { placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
@@ -72,11 +72,7 @@ function* askedOctaves(
         gradients.set(engraver.gradientAt(family, at), 3 * v);
       }
       const o = STRIDE * v + VIEW;
-      const perPixel = engraver.changeOn(
-        triangle.flatNormal,
-        [gradients[3 * v], gradients[3 * v + 1], gradients[3 * v + 2]],
-        [vertices[o], vertices[o + 1], vertices[o + 2]],
-      );
+      const perPixel = engraver.changeOn(triangle.flatNormal, vectorAt(gradients, 3 * v), vectorAt(vertices, o));
       octaves[placeOf[v]] += Math.log2(distances[v] * perPixel);
       counts[placeOf[v]]++;
     }
@@ -95,8 +91,8 @@ function* steadiness(
   const steady = new Float64Array(octaves.length).fill(1);
   const changeAlong = (u: number, v: number): number => {
     const [i, j] = [STRIDE * u + VIEW, STRIDE * v + VIEW];
-    const [ux, uy] = projection.project(vertices[i], vertices[i + 1], vertices[i + 2]);
-    const [vx, vy] = projection.project(vertices[j], vertices[j + 1], vertices[j + 2]);
+    const [ux, uy] = projection.project(...vectorAt(vertices, i));
+    const [vx, vy] = projection.project(...vectorAt(vertices, j));
     return Math.abs(octaves[placeOf[u]] - octaves[placeOf[v]]) / Math.max(Math.hypot(ux - vx, uy - vy), LEAST_LENGTH);
   };
   for (let t = 0; t < ranks.length; t++) {

@@ -172,16 +172,15 @@ class LineTracer {
     const { engraver, pen, projection, isDrawnIn } = this.tracing;
     const tones = this.tonesAt(place, shadowing);
     const at = projection.project(...place.view);
-    if (isDrawnIn && !isDrawnIn(tones.turned))
-      return { at, place, tones, half: 0, margin: -1, isBlank: false, isHole: false };
+    const nothing: Measured = { at, place, tones, half: 0, margin: -1, isBlank: false, isHole: false };
+    if (isDrawnIn && !isDrawnIn(tones.turned)) return nothing;
     const measure = engraver.measure(this.family, engraved, tones);
     // The change per pixel of lines as they are drawn, so that they cover the right share.
     measure.perPixel = this.slopes[triangle] || measure.perPixel;
     const { half, margin, shift } = pen === null ? printedMark(measure, line) : plottedMark(measure, line, pen);
     const { strokes } = measure;
-    if (!strokes) return { at, place, tones, half, margin, isBlank: false, isHole: false };
-    const beside = [shift * strokes.uphill[0], shift * strokes.uphill[1]] as const;
-    return { at, place, tones, half, margin, isBlank: false, isHole: false, shift: beside };
+    if (!strokes) return { ...nothing, half, margin };
+    return { ...nothing, half, margin, shift: [shift * strokes.uphill[0], shift * strokes.uphill[1]] };
   }
 
   /** The tones at a place. A place on an edge, which both of its triangles ask for, is computed once. */

@@ -4,7 +4,7 @@ import type { Mat3 } from '../shading/screenGradient.js';
 import { localDarkness } from '../shading/tone.js';
 import { type EdgeProducts, PlaceInTriangle } from './DetailReader.js';
 import { MapSampler, type Rgba } from './MapSampler.js';
-import type { MapLook, Paint, PaintLook, SurfaceDetails } from './PaintLook.js';
+import { type MapLook, type Paint, type PaintLook, type SurfaceDetails, TONE_MAPS } from './PaintLook.js';
 
 /** A place whose normal is modified by a map, world space. */
 export interface BentPlace {
@@ -32,16 +32,10 @@ export class ColourReader {
     private readonly look: PaintLook,
     private readonly details: SurfaceDetails,
   ) {
-    for (const map of [
-      look.map,
-      look.emissiveMap,
-      look.aoMap,
-      look.lightMap,
-      look.alphaMap,
-      look.normalMap,
-      look.bumpMap,
-    ])
+    for (const name of TONE_MAPS) {
+      const map = look[name];
       if (map) this.samplers.set(map, new MapSampler(map));
+    }
   }
 
   /** Sets the current triangle of the scene. squares: the products of its edges, world space. */

@@ -1,4 +1,4 @@
-import { combined, cross, dot, type Vec3 } from '../../look/vectors.js';
+import { combined, cross, dot, type Vec3, vectorAt } from '../../look/vectors.js';
 import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from '../LineSurface.js';
 import type { Mat3 } from '../shading/screenGradient.js';
 import type { PosedMaps, SurfaceDetails } from './PaintLook.js';
@@ -8,26 +8,21 @@ export class DetailReader {
   private triangle = -1;
   private place: PlaceInTriangle | undefined;
   private flat: Mat3 | undefined;
-  private readonly at: Float64Array;
+  /** The details at the place that was read last. */
+  private at: Float64Array = new Float64Array(0);
 
   constructor(
     private readonly surface: LineSurface,
     private readonly details: SurfaceDetails,
-  ) {
-    this.at = new Float64Array(details.stride);
-  }
+  ) {}
 
-  /** The details at a place of a triangle of the scene. Valid until the next call. */
+  /** The details at a place of a triangle of the scene. */
   read(triangle: number, world: Vec3): Float64Array {
     const { corners, firstTriangle, stride, numbers } = this.details;
     this.goTo(triangle);
     const weights = this.place!.weightsAt(world);
     const c = 3 * (triangle - firstTriangle);
-    this.at.fill(0);
-    for (let k = 0; k < 3; k++) {
-      const o = stride * corners[c + k];
-      for (let i = 0; i < stride; i++) this.at[i] += weights[k] * numbers[o + i];
-    }
+    this.at = interpolated(numbers, stride, [corners[c], corners[c + 1], corners[c + 2]], weights);
     return this.at;
   }
 
@@ -35,9 +30,8 @@ export class DetailReader {
   posedMaps(): PosedMaps | null {
     const { viewToField: o } = this.details;
     if (o === null) return null;
-    const row = (k: number): Vec3 => [this.at[o + 3 * k], this.at[o + 3 * k + 1], this.at[o + 3 * k + 2]];
     this.flat ??= this.flatMap();
-    return { smooth: [row(0), row(1), row(2)], flat: this.flat };
+    return { smooth: [vectorAt(this.at, o), vectorAt(this.at, o + 3), vectorAt(this.at, o + 6)], flat: this.flat };
   }
 
   /** The products of the edges of a triangle, world space. */
@@ -62,8 +56,7 @@ export class DetailReader {
   private corner(k: number, offset: number): Vec3 {
     const { corners, firstTriangle } = this.details;
     const o = STRIDE * corners[3 * (this.triangle - firstTriangle) + k] + offset;
-    const { vertices } = this.surface;
-    return [vertices[o], vertices[o + 1], vertices[o + 2]];
+    return vectorAt(this.surface.vertices, o);
   }
 
   /** The linear map from the edges of the triangle in view space to those in field space, and from normal to normal. */
@@ -89,6 +82,16 @@ const ZERO: Mat3 = [
   [0, 0, 0],
   [0, 0, 0],
 ];
+
+/** The numbers at a place, from those of three vertices. stride: count of numbers per vertex. */
+export function interpolated(numbers: ArrayLike<number>, stride: number, vertices: Vec3, weights: Vec3): Float64Array {
+  const at = new Float64Array(stride);
+  for (let k = 0; k < 3; k++) {
+    const o = stride * vertices[k];
+    for (let i = 0; i < stride; i++) at[i] += weights[k] * numbers[o + i];
+  }
+  return at;
+}
 
 /** Products of the two edges from the first corner of a triangle: of the first with itself, of both, and of the second with itself. */
 export interface EdgeProducts {

@@ -1,9 +1,9 @@
-import { combined, cross, dot, type Vec3 } from '../../look/vectors.js';
+import { combined, cross, dot, type Vec3, vectorAt } from '../../look/vectors.js';
 import type { Bvh } from '../Bvh.js';
 import { type LineSurface, placeFrom, readTriangle, STRIDE, WORLD } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
 import type { Toner } from '../Toner.js';
-import { PlaceInTriangle } from './DetailReader.js';
+import { interpolated, PlaceInTriangle } from './DetailReader.js';
 
 /** A range of triangles of the scene that belong to a see-through surface. */
 export interface Veil {
@@ -103,12 +103,9 @@ export class VeilTone {
     const { surface, toner, projection } = this;
     const { vertices, triangles } = surface;
     const t = triangle - this.first;
-    const offsets = [0, 1, 2].map((k) => STRIDE * triangles[3 * t + k]);
-    const [a, b, c] = offsets.map((o): Vec3 => [vertices[o + WORLD], vertices[o + WORLD + 1], vertices[o + WORLD + 2]]);
-    const weights = new PlaceInTriangle(a, b, c).weightsAt(world);
-    const numbers = Float64Array.from({ length: STRIDE }, (_, n) =>
-      offsets.reduce((sum, o, k) => sum + weights[k] * vertices[o + n], 0),
-    );
+    const corners = vectorAt(triangles, 3 * t);
+    const [a, b, c] = corners.map((vertex) => vectorAt(vertices, STRIDE * vertex + WORLD));
+    const numbers = interpolated(vertices, STRIDE, corners, new PlaceInTriangle(a, b, c).weightsAt(world));
     const { way } = projection.wayToEye(...world);
     const isFront = dot(cross(combined(1, b, -1, a), combined(1, c, -1, a)), way) >= 0;
     return toner.read(placeFrom(numbers, readTriangle(surface, t), isFront ? 1 : -1), 'none').tone;

@@ -1,5 +1,6 @@
 import type { Vec3 } from '../../look/vectors.js';
 import { ColourReader } from './ColourReader.js';
+import { interpolated } from './DetailReader.js';
 import { type Cutout, isClipped } from './PaintLook.js';
 
 /** Tests for holes in triangles of a scene, by alpha or clipping planes. */
@@ -26,11 +27,7 @@ export class Holes {
     if (!painted) return false;
     const { corners, firstTriangle, stride, numbers } = painted.details;
     const c = 3 * (triangle - firstTriangle);
-    const at = new Float64Array(stride);
-    for (const [k, weight] of [1 - u - v, u, v].entries()) {
-      const o = stride * corners[c + k];
-      for (let n = 0; n < stride; n++) at[n] += weight * numbers[o + n];
-    }
+    const at = interpolated(numbers, stride, [corners[c], corners[c + 1], corners[c + 2]], [1 - u - v, u, v]);
     return this.painters[i]!.standingAt(at) < 0;
   }
 

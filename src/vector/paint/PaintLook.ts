@@ -25,8 +25,12 @@ export interface MapLook {
   isSharp: boolean;
 }
 
+/** The textures that affect tone, named as in three.js. */
+export const TONE_MAPS = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap', 'normalMap', 'bumpMap'] as const;
+export type ToneMap = (typeof TONE_MAPS)[number];
+
 /** Textures and colours of a surface. Colours are in linear light. */
-export interface PaintLook {
+export interface PaintLook extends Readonly<Record<ToneMap, MapLook | null>> {
   color: Vec3;
   opacity: number;
   /** Emissive colour. */
@@ -36,20 +40,13 @@ export interface PaintLook {
   colorExposure: number;
   /** Offset of the vertex colour (red, green, blue, alpha) in the details of a vertex; null for none. */
   vertexColor: number | null;
-  map: MapLook | null;
-  emissiveMap: MapLook | null;
-  aoMap: MapLook | null;
   aoMapIntensity: number;
-  lightMap: MapLook | null;
   lightMapIntensity: number;
-  alphaMap: MapLook | null;
-  /** A normal map in tangent space or object space, and the factors on its two slopes. */
-  normalMap: MapLook | null;
+  /** The factors on the two slopes of a normal map. */
   normalScale: readonly [number, number];
   /** The matrix from object space to world space for a map in object space; null for tangent space. */
   normalToWorld: Mat3 | null;
-  /** A bump map, read from red, and its factor; null if there is a normal map. */
-  bumpMap: MapLook | null;
+  /** The factor on the heights of a bump map, which is null if there is a normal map. */
   bumpScale: number;
   /** Alpha below which nothing is drawn; 0 for none. */
   alphaTest: number;

@@ -15,7 +15,14 @@ import { isFitted } from '../../material/exposure/isFitted.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { isSharp, readImage } from '../../material/readImage.js';
-import type { MapLook, PaintLook, ToneImage, Wrapping } from '../paint/PaintLook.js';
+import {
+  type MapLook,
+  type PaintLook,
+  TONE_MAPS,
+  type ToneImage,
+  type ToneMap,
+  type Wrapping,
+} from '../paint/PaintLook.js';
 import type { Mat3 } from '../shading/screenGradient.js';
 import type { MeshCopy } from './meshCopies.js';
 import { rowsOf } from './surfaceFrame.js';
@@ -37,10 +44,6 @@ interface PaintedPart {
   copy: MeshCopy;
   material: Painted;
 }
-
-/** The textures that affect tone. */
-const TONE_MAPS = ['map', 'emissiveMap', 'aoMap', 'lightMap', 'alphaMap', 'normalMap', 'bumpMap'] as const;
-export type ToneMap = (typeof TONE_MAPS)[number];
 
 /** Alpha above which blended materials are drawn. */
 const HALF = 0.5;
@@ -81,11 +84,8 @@ export class PaintReader {
       localTone,
       colorExposure: hatched && isFitted(hatched) ? 1 / this.fit.white : 1,
       vertexColor: hasColors ? first + 2 * channels.length : null,
-      ...{ map: look('map'), emissiveMap: look('emissiveMap'), aoMap: look('aoMap') },
-      ...{ lightMap: look('lightMap'), alphaMap: look('alphaMap') },
-      normalMap: look('normalMap'),
+      ...(Object.fromEntries(TONE_MAPS.map((name) => [name, look(name)])) as Record<ToneMap, MapLook | null>),
       normalToWorld: hatched?.normalMapType === ObjectSpaceNormalMap ? normalsToWorld(copy) : null,
-      bumpMap: look('bumpMap'),
       bumpScale: hatched?.bumpScale ?? 1,
       normalScale: hatched ? [hatched.normalScale.x, hatched.normalScale.y] : [1, 1],
       aoMapIntensity: hatched?.aoMapIntensity ?? 0,

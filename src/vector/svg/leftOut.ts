@@ -27,13 +27,6 @@ export function faultOf({ geometry }: Mesh): string | undefined {
   }
 }
 
-/** Why nothing of a mesh can be drawn; undefined if it can. */
-export function whyNothing(mesh: Mesh): string | undefined {
-  const { geometry } = mesh;
-  if (!geometry.attributes.position) return 'is left out: its geometry has no positions';
-  return undefined;
-}
-
 /** Why the surface of a mesh has no lines, though its outlines may be drawn and it hides what is behind it; undefined if it has lines. */
 export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   if (!('isHatchingMaterial' in material)) return 'has no lines: its material is no HatchingMaterial';

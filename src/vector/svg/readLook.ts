@@ -117,14 +117,10 @@ export function readFading(object: Object3D, look: FadingLook | null, camera: Ca
   writeDepthFading(look, isMeasured ? seenOf(look.extent, camera) : null, camera, depthFading);
   const importance = importanceOf(object);
   if (depthFading.z === 0 && focus === null && vignette === 0 && importance === 1) return null;
-  const sheet = new Vector4();
-  // The picture is one wide and one high.
-  writeSheet(sheet, camera, new Vector4(0, 0, 1, 1));
   return {
     depthFading: [depthFading.x, depthFading.y, depthFading.z],
     focus: focus && { at: [focus.x, focus.y, focus.z], radius: focusRadius },
-    vignette,
-    sheet: [sheet.x, sheet.y, sheet.z, sheet.w],
+    ...{ vignette, sheet: sheetOf(camera) },
     importance,
   };
 }
@@ -134,6 +130,13 @@ export function readOutlineFading(mesh: Mesh, camera: Camera): ObjectFading | nu
   const materials: Material[] = Array.isArray(mesh.material) ? mesh.material : [mesh.material];
   const found = materials.find((material) => 'isHatchingMaterial' in material);
   return readFading(mesh, (found ?? null) as (Material & FadingLook) | null, camera);
+}
+
+/** The sheet of a camera, in a picture that is one wide and one high. */
+function sheetOf(camera: Camera): DrawnBackground['sheet'] {
+  const sheet = new Vector4();
+  writeSheet(sheet, camera, new Vector4(0, 0, 1, 1));
+  return sheet.toArray();
 }
 
 function seenOf({ box, frame }: NonNullable<FadingLook['extent']>, camera: Camera): SeenBox | null {
@@ -148,19 +151,16 @@ export function readBackground(
   { lamps, around }: SceneLights,
 ): DrawnBackground | undefined {
   const { subject, tone, contrast, spacing, direction, extent, ink } = background;
-  const seen: SeenBox = { front: 0, back: 1, left: -1, right: 1, bottom: -1, top: 1 };
-  if (!subject || !seenBox(subject.box, subject.frame.matrixWorld, camera, seen)) return undefined;
+  const seen = subject && seenOf(subject, camera);
+  if (!subject || !seen) return undefined;
   const centre = subject.box.getCenter(new Vector3()).applyMatrix4(subject.frame.matrixWorld);
   const light = new Vector3(...meanLightAt(centre.toArray(), lamps, around.skies));
   light.transformDirection(camera.matrixWorldInverse);
-  const sheet = new Vector4();
-  // The picture is one wide and one high.
-  writeSheet(sheet, camera, new Vector4(0, 0, 1, 1));
   return {
     ...{ tone, contrast, spacing, angle: direction, extent },
     seen: { left: seen.left, right: seen.right, bottom: seen.bottom, top: seen.top },
     lit: [light.x, light.y],
-    sheet: [sheet.x, sheet.y, sheet.z, sheet.w],
+    sheet: sheetOf(camera),
     ink: `#${ink.getHexString()}`,
   };
 }

@@ -4,13 +4,11 @@ import {
   DoubleSide,
   type InstancedMesh,
   type Material,
-  type Matrix4,
   type Mesh,
   type Object3D,
   type PerspectiveCamera,
   type Plane,
 } from 'three';
-import type { Vec3 } from '../../look/vectors.js';
 import { ExposureFit } from '../../material/exposure/ExposureFit.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import { isFormed } from '../../material/geometry/formGeometry.js';
@@ -27,18 +25,10 @@ import { CASTS_BACK, CASTS_FRONT, FADES_FRONT, MAY_HAVE_HOLES, SEEN_BACK, SEEN_F
 import type { DrawnBackground, DrawnScene, EngravedSurface, OutlinedMesh, StippledSurface } from '../DrawnScene.js';
 import { GrowingArray } from '../GrowingArray.js';
 import { moveToOrigin } from '../moveToOrigin.js';
+import { transformed } from '../Projection.js';
 import type { Veil } from '../paint/Fading.js';
 import type { Cutout } from '../paint/PaintLook.js';
-import {
-  drawnWithout,
-  faultOf,
-  isStippled,
-  type LeftOut,
-  sentence,
-  untestedBy,
-  whyNoLines,
-  whyNothing,
-} from './leftOut.js';
+import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, untestedBy, whyNoLines } from './leftOut.js';
 import { type MeshCopy, meshCopies } from './meshCopies.js';
 import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
 import { type PosedVertices, posedVertices } from './posedVertices.js';
@@ -170,9 +160,8 @@ class SceneReader {
     }
     const parts = surfaceParts(mesh);
     if (parts.length === 0) return;
-    const nothing = whyNothing(mesh);
-    if (nothing) {
-      this.note(mesh, nothing);
+    if (!mesh.geometry.attributes.position) {
+      this.note(mesh, 'is left out: its geometry has no positions');
       return;
     }
     const copies = meshCopies(mesh);
@@ -246,10 +235,8 @@ class SceneReader {
     for (let c = 0; c < corners.length; c++) {
       if (c % (3 * CHUNK) === 0) yield c / corners.length;
       const o = 3 * corners[c];
-      const [x, y, z] = placed(copy.toWorld, positions[o], positions[o + 1], positions[o + 2]);
-      this.corners.push(x);
-      this.corners.push(y);
-      this.corners.push(z);
+      const place = transformed(copy.toWorld.elements, positions[o], positions[o + 1], positions[o + 2]);
+      for (const coordinate of place) this.corners.push(coordinate);
       if (c % 3 === 0) this.sides.push(bits);
     }
     return first;
@@ -341,15 +328,6 @@ const isOutlines = (object: Object3D): object is HatchingOutlines => 'isHatching
 const isFlat = ({ toneNormal, flatShading }: HatchingMaterial): boolean => toneNormal === 'face' || flatShading;
 
 const colorOf = ({ ink }: HatchingMaterial | HatchingOutlineMaterial): string => `#${ink.getHexString()}`;
-
-/** A point of an object, transformed to world space. */
-function placed({ elements: e }: Matrix4, x: number, y: number, z: number): Vec3 {
-  return [
-    e[0] * x + e[4] * y + e[8] * z + e[12],
-    e[1] * x + e[5] * y + e[9] * z + e[13],
-    e[2] * x + e[6] * y + e[10] * z + e[14],
-  ];
-}
 
 /** The sides that a material draws. */
 function sidesOf({ side }: Material): number {

@@ -1,5 +1,5 @@
 import { type BufferAttribute, type BufferGeometry, Matrix3, type Matrix4, type Mesh, Vector3 } from 'three';
-import { combined, cross, normalize, type Vec3 } from '../../look/vectors.js';
+import { combined, cross, normalize, type Vec3, vectorAt } from '../../look/vectors.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { STIPPLE_MAP_SIZE } from '../../material/tam/patternSizes.js';
 import { stippleMap } from '../../material/tam/stippleMap.js';
@@ -168,38 +168,33 @@ export function* readStippled(
 /** Corners per step, of whole triangles. */
 const FLAT_CHUNK = 3 * 1024;
 
+/** The numbers of the vertex of each corner, so many per vertex. Yields meanwhile. */
+function* perCorner(numbers: ArrayLike<number>, stride: number, vertices: Int32Array): Generator<number, Float64Array> {
+  const spread = new Float64Array(stride * vertices.length);
+  for (let corner = 0; corner < vertices.length; corner++) {
+    if (corner % FLAT_CHUNK === 0) yield 1;
+    for (let i = 0; i < stride; i++) spread[stride * corner + i] = numbers[stride * vertices[corner] + i];
+  }
+  return spread;
+}
+
 /** A surface with flat shading: each triangle gets vertices of its own with its normal. Yields meanwhile. */
 export function* flattened(surface: LineSurface): Generator<number, LineSurface, void> {
-  const { vertices, triangles, placeOf, details } = surface;
-  const flat: LineSurface = {
-    ...surface,
-    vertices: new Float64Array(STRIDE * triangles.length),
-    placeOf: triangles.map((vertex) => placeOf[vertex]),
-    triangles: triangles.map((_, corner) => corner),
-  };
-  for (const [corner, vertex] of triangles.entries()) {
-    if (corner % FLAT_CHUNK === 0) yield 1;
-    flat.vertices.set(vertices.subarray(STRIDE * vertex, STRIDE * (vertex + 1)), STRIDE * corner);
-  }
-  const placeAt = (corner: number): Vec3 => {
-    const o = STRIDE * corner + WORLD;
-    return [flat.vertices[o], flat.vertices[o + 1], flat.vertices[o + 2]];
-  };
+  const { triangles, placeOf, details } = surface;
+  const vertices = yield* perCorner(surface.vertices, STRIDE, triangles);
   for (let corner = 0; corner < triangles.length; corner += 3) {
     if (corner % FLAT_CHUNK === 0) yield 1;
-    const [a, b, c] = [placeAt(corner), placeAt(corner + 1), placeAt(corner + 2)];
+    const offsets = [0, 1, 2].map((k) => STRIDE * (corner + k));
+    const [a, b, c] = offsets.map((o) => vectorAt(vertices, o + WORLD));
     const normal = normalize(cross(combined(1, b, -1, a), combined(1, c, -1, a)));
-    for (let k = 0; k < 3; k++)
-      for (let axis = 0; axis < 3; axis++) flat.vertices[STRIDE * (corner + k) + TONE_NORMAL + axis] = normal[axis];
+    for (const o of offsets) vertices.set(normal, o + TONE_NORMAL);
   }
-  if (!details) return flat;
-  const { stride } = details;
-  const numbers = new Float64Array(stride * triangles.length);
-  for (const [corner, vertex] of triangles.entries()) {
-    if (corner % FLAT_CHUNK === 0) yield 1;
-    for (let i = 0; i < stride; i++) numbers[stride * corner + i] = details.numbers[stride * vertex + i];
-  }
-  return { ...flat, details: { ...details, corners: flat.triangles, numbers } };
+  const corners = triangles.map((_, corner) => corner);
+  const numbers = details && (yield* perCorner(details.numbers, details.stride, triangles));
+  return {
+    ...{ ...surface, vertices, triangles: corners, placeOf: triangles.map((vertex) => placeOf[vertex]) },
+    details: details && numbers && { ...details, corners, numbers },
+  };
 }
 
 /** A range of triangles of a mesh with one material. */
