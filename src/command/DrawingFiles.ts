@@ -1,8 +1,8 @@
 import { randomBytes } from 'node:crypto';
 import { rename, rm, rmdir, stat, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
-import { UsageError } from './errors.js';
-import { makeFolder, sentenceOf } from './makeFolder.js';
+import { makeFolder, sentenceOf } from './OutputFolder.js';
+import { UsageError } from './readOptions.js';
 import { STANDARD, writeStandardOutput } from './standardStreams.js';
 
 /**

@@ -1,17 +1,16 @@
 import { stat } from 'node:fs/promises';
-import { join, resolve } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { Worker } from 'node:worker_threads';
 import { version } from '../../package.json';
-import { shownText } from '../viewer/files/common/shownText.js';
+import { shownText } from '../viewer/files/common/ModelError.js';
+import { readingTime } from '../viewer/files/common/ModelFile.js';
 import { DrawingFiles } from './DrawingFiles.js';
-import type { DrawingOptions } from './DrawingOptions.js';
-import { type DrawingCounts, type DrawMessage, type DrawTask, drawInThread } from './DrawThread.js';
-import { Interrupted, UsageError } from './errors.js';
-import { expandPattern, isPattern } from './expandPattern.js';
-import type { ProgressBar } from './ProgressBar.js';
-import { DRAW_HELP, parseDrawing } from './parseDrawing.js';
-import { type PlannedModel, planOutputs } from './planOutputs.js';
-import { readStandardInput, STANDARD, STANDARD_INPUT } from './standardStreams.js';
+import { DRAW_HELP, type DrawingOptions, parseDrawing } from './parseDrawing.js';
+import { expandPattern, isPattern, type PlannedModel, planOutputs } from './planOutputs.js';
+import { Interrupted, UsageError } from './readOptions.js';
+import { type ProgressBar, readStandardInput, STANDARD, STANDARD_INPUT } from './standardStreams.js';
 
 /**
  * Runs the command `draw`.
@@ -192,4 +191,90 @@ const nameOf = (output: string): string => (output === STANDARD ? 'the standard 
 function describe({ paths, drawn, travelBefore, travelAfter }: DrawingCounts, seconds: number): string {
   const count = `${paths.toLocaleString('en')} ${paths === 1 ? 'path' : 'paths'}`;
   return `${count}, ${inMetres(drawn)} drawn, ${inMetres(travelAfter)} of travel (${inMetres(travelBefore)} before ordering), ${seconds.toFixed(1)} s.`;
+}
+
+/** A model to draw in a worker thread. */
+export interface DrawTask {
+  /** The path of the model's file, or its name where `content` is given. */
+  model: string;
+  /** The bytes of the file; read from `model` if left out. */
+  content?: Uint8Array;
+  options: DrawingOptions;
+}
+
+/** Counts of one drawing. Lengths are in millimetres. */
+export interface DrawingCounts {
+  paths: number;
+  drawn: number;
+  travelBefore: number;
+  travelAfter: number;
+}
+
+/** A message from the thread: progress, a note for the user, a drawing, or the result. */
+export type DrawMessage =
+  | { kind: 'progress'; stage: string; progress: number; bytes?: number | undefined }
+  | { kind: 'note'; sentence: string }
+  | { kind: 'drawing'; frame: number; svg: string; counts: DrawingCounts }
+  | { kind: 'done'; isWhole: boolean }
+  | { kind: 'failed'; sentence: string };
+
+/** A reader without progress is stopped after this multiple of its time limit on the page. */
+const PATIENCE = 4;
+
+/** The script of the threads, in the command's own folder. */
+const SCRIPT = join(dirname(fileURLToPath(import.meta.url)), 'draw.worker.js');
+
+/**
+ * Draws a model in a worker thread, because some files keep a parser busy for minutes or use up the memory. A thread can be stopped at any
+ * time, and its failure does not affect other models.
+ *
+ * @param bytes of the model's file
+ * @param onMessage receives the thread's messages; what it returns is awaited before this function ends
+ * @returns whether the drawing is complete
+ * @throws Error whose message is a sentence about the model, or the reason of the signal
+ */
+async function drawInThread(
+  task: DrawTask,
+  bytes: number,
+  signal: AbortSignal,
+  onMessage: (message: DrawMessage) => void,
+): Promise<boolean> {
+  signal.throwIfAborted();
+  // Keeps the loaders' console output from the user.
+  const worker = new Worker(SCRIPT, { workerData: task, stdout: true, stderr: true });
+  let timer: NodeJS.Timeout | undefined;
+  let onAbort = (): void => {};
+  try {
+    return await new Promise<boolean>((resolve, reject) => {
+      onAbort = () => reject(signal.reason);
+      signal.addEventListener('abort', onAbort, { once: true });
+      let size = bytes;
+      const wait = (): void => {
+        clearTimeout(timer);
+        const seconds = PATIENCE * Math.ceil(readingTime(size));
+        const sentence = `${task.model} was put aside, because there was no progress for ${seconds} seconds.`;
+        timer = setTimeout(() => reject(new Error(sentence)), 1000 * seconds);
+      };
+      wait();
+      worker.on('error', (error) => reject(new Error(whyEnded(task.model, error))));
+      worker.on('exit', () => reject(new Error(`${task.model} could not be drawn: its thread has ended.`)));
+      worker.on('message', (message: DrawMessage) => {
+        if (message.kind === 'progress') size = Math.max(size, message.bytes ?? 0);
+        wait();
+        if (message.kind === 'done') resolve(message.isWhole);
+        else if (message.kind === 'failed') reject(new Error(message.sentence));
+        else onMessage(message);
+      });
+    });
+  } finally {
+    clearTimeout(timer);
+    signal.removeEventListener('abort', onAbort);
+    await worker.terminate();
+  }
+}
+
+function whyEnded(model: string, error: NodeJS.ErrnoException): string {
+  if (error.code === 'ERR_WORKER_OUT_OF_MEMORY')
+    return `${model} needs more memory than there is; give Node more with NODE_OPTIONS=--max-old-space-size=8192, say.`;
+  return `${model} could not be drawn (${error.message}).`;
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env node
 import process from 'node:process';
 import { draw } from './draw.js';
-import { Interrupted, UsageError } from './errors.js';
-import { ProgressBar } from './ProgressBar.js';
+import { Interrupted, UsageError } from './readOptions.js';
+import { ProgressBar } from './standardStreams.js';
 import { tam } from './tam.js';
 
 /** Exit codes: 0 done, 1 failed, 2 called wrongly, 130 interrupted. */

@@ -1,13 +1,14 @@
+import { readFileSync, statSync } from 'node:fs';
 import { type HatchingPreset, presets } from '../scene/presets.js';
+import { checkHand } from '../strokes/hand/checkHand.js';
+import type { Hand } from '../strokes/hand/Hand.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { strokeStyles } from '../strokes/strokeStyles.js';
 import { type MapDrawing, resolveMapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
-import { UsageError } from './errors.js';
-import { readHand } from './readHand.js';
-import { readOptions } from './readOptions.js';
+import { readOptions, UsageError } from './readOptions.js';
 
 /** A parsed command line. */
-export type Request =
+type Request =
   | { action: 'help' }
   | { action: 'version' }
   | { action: 'list' }
@@ -120,4 +121,49 @@ function wholeNumber(option: string, text: string | undefined): number | undefin
   if (text === undefined) return undefined;
   if (!/^-?\d+$/.test(text)) throw new UsageError(`--${option} is ${text}, but must be a whole number.`);
   return Number(text);
+}
+
+/** The maximum size of a file, in bytes: 100,000 points take less than a tenth of it. */
+const MAX_BYTES = 64 * 2 ** 20;
+
+/** Messages for error codes of the file system, about the file after --hand. */
+const MEANINGS: Readonly<Record<string, string>> = {
+  ENOENT: 'is not there; check the path after --hand',
+  ENOTDIR: 'is not there; check the path after --hand',
+  EISDIR: 'is a folder; name the JSON file of a hand after --hand',
+  EACCES: 'may not be read; change its permissions',
+  EPERM: 'may not be read; change its permissions',
+};
+
+/**
+ * Reads the JSON file of a hand.
+ *
+ * @throws UsageError whose message is a sentence, if it cannot be read or is no hand
+ */
+function readHand(path: string): Hand {
+  const text = readText(path);
+  let hand: unknown;
+  try {
+    hand = JSON.parse(text);
+  } catch {
+    throw new UsageError(`${path} is not JSON; --hand needs a file with { version, strokes, numbers }.`);
+  }
+  try {
+    checkHand(path, hand);
+  } catch (error) {
+    throw new UsageError((error as Error).message);
+  }
+  return hand;
+}
+
+function readText(path: string): string {
+  try {
+    const { size } = statSync(path);
+    if (size > MAX_BYTES) throw new UsageError(`${path} is larger than 64 MB, more than any hand needs.`);
+    return readFileSync(path, 'utf8');
+  } catch (error) {
+    if (error instanceof UsageError) throw error;
+    const { code } = error as NodeJS.ErrnoException;
+    throw new UsageError(`${path} ${MEANINGS[code ?? ''] ?? `could not be read (${code})`}.`);
+  }
 }

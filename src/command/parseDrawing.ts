@@ -1,8 +1,52 @@
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import { SHEET_SIZES, SHEET_WORDS, type Sheet, sheetNamed } from '../vector/svg/sheetSizes.js';
-import type { DirectionInDegrees, DrawingOptions } from './DrawingOptions.js';
-import { UsageError } from './errors.js';
-import { readOptions } from './readOptions.js';
+import { readOptions, UsageError } from './readOptions.js';
+
+/** A direction in degrees: `azimuth` around the up axis, from the viewer's side to the right, and `elevation` above the horizon. */
+interface DirectionInDegrees {
+  azimuth: number;
+  elevation: number;
+}
+
+/** The options of the command line that control the drawing: plain data, sent to the drawing thread. Lengths are in millimetres. */
+export interface DrawingOptions {
+  /** Undefined for the preset of the link, or else of the playground's first view. */
+  preset: string | undefined;
+  /** The hash of a playground link. */
+  link: string | undefined;
+  view: DirectionInDegrees | undefined;
+  /** The name of a camera of the model, or its number, counted from 1. */
+  camera: string | undefined;
+  /** Enlargement of the picture; at 1, the model fills it. */
+  zoom: number;
+  orthographic: boolean;
+  light: DirectionInDegrees | undefined;
+  /** Whether the model's own lights are used, if it has any. */
+  usesFileLights: boolean;
+  shadows: boolean | undefined;
+  /** The up axis of the model; undefined to detect it. */
+  up: 'y' | 'z' | 'x' | '-y' | '-z' | '-x' | undefined;
+  /** The name of a material variant of the model, or its number, counted from 1. */
+  variant: string | undefined;
+  /** The format of the model as a file extension, where neither content nor name tells it. */
+  format: string | undefined;
+  /** The name of a clip of the model, or its number, counted from 1. */
+  clip: string | undefined;
+  /** The number of frames of a turn or of the clip; undefined for a single picture. */
+  frames: number | undefined;
+  kind: 'print' | 'pen';
+  pen: number;
+  sheet: Sheet;
+  margin: number;
+  dpi: number;
+  /** `#rrggbb`, or undefined for none. */
+  paper: string | undefined;
+  order: 'travel' | 'drawn';
+  /** How hidden outlines are drawn; undefined for the setting of the look. */
+  hidden: 'none' | 'dashed' | 'faint' | undefined;
+  /** Seconds in which the SVG draws itself on a web page; undefined for a still drawing. */
+  animate: number | undefined;
+}
 
 /** A number in decimal notation; NaN for anything else, also where JavaScript's `Number` accepts it, such as `0x10` or blanks. */
 const numberOf = (text: string): number =>
@@ -42,7 +86,7 @@ function directionOf(option: string, text: string | undefined): DirectionInDegre
 }
 
 /** A parsed command line of `draw`. */
-export type DrawRequest =
+type DrawRequest =
   | { action: 'help' }
   | { action: 'version' }
   | { action: 'draw'; models: string[]; out: string; force: boolean; jobs: number; options: DrawingOptions };

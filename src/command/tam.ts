@@ -8,8 +8,8 @@ import { generateHatchImages } from '../strokes/tamImages/generateHatchImages.js
 import { generateThresholds } from '../strokes/tamImages/generateThresholds.js';
 import { type MapDrawing, resolveMapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
 import { OutputFolder } from './OutputFolder.js';
-import type { ProgressBar } from './ProgressBar.js';
 import { HELP, parseArguments, styleList } from './parseArguments.js';
+import type { ProgressBar } from './standardStreams.js';
 
 /**
  * Runs the command `tam`.

@@ -3,7 +3,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { BUNDLE, describeBundle } from '../../src/viewer/files/archives/bundle.js';
+import { BUNDLE, describeBundle } from '../../src/viewer/files/bundle.js';
 import { drop, openPlayground, readDrawing, ready, savePicture } from '../../tools/browser/playground.js';
 import { file } from '../../tools/modelFiles/modelFiles.js';
 import { zip } from '../../tools/modelFiles/sceneWriters.js';

@@ -1,7 +1,7 @@
 import { gzipSync } from 'node:zlib';
 import { MeshoptEncoder } from 'meshoptimizer';
 import { PNG } from 'pngjs';
-import { describeBundle } from '../../src/viewer/files/archives/bundle.js';
+import { describeBundle } from '../../src/viewer/files/bundle.js';
 import type { Random } from '../../src/viewer/settings/Random.js';
 import { encodeDraco } from '../modelFiles/encodeDraco.js';
 import { addTrack, GltfBuilder } from '../modelFiles/GltfBuilder.js';

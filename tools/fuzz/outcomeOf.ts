@@ -1,7 +1,7 @@
 import { type BufferAttribute, type InstancedMesh, Matrix4, type Mesh, Vector3 } from 'three';
 import { buildModel } from '../../src/viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../src/viewer/drawing/HatchedModel.js';
-import { meshesOf } from '../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../src/viewer/drawing/meshes.js';
 import { ModelError } from '../../src/viewer/files/common/ModelError.js';
 import { type ModelFile, readModel } from '../../src/viewer/files/readModel.js';
 import { checkSentence, checkWords } from './checkWords.js';

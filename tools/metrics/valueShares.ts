@@ -5,7 +5,7 @@ import { BUILT_IN_MODELS, type BuiltInModel } from '../../src/playground/models/
 import { loadModelFiles } from '../../src/playground/reading/loadModelFiles.js';
 import { buildModel } from '../../src/viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../src/viewer/drawing/HatchedModel.js';
-import { meshesOf } from '../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../src/viewer/drawing/meshes.js';
 import { createCamera, DEFAULT_VIEW } from '../../src/viewer/sceneSetup/LensCamera.js';
 import { LightRig } from '../../src/viewer/sceneSetup/LightRig.js';
 import { lookOf } from '../../src/viewer/settings/lookOf.js';

@@ -19,7 +19,7 @@ const QUALITY = 0.8;
  */
 export async function drawGallery(server, browser, root, only) {
   const { GALLERY } = await server.ssrLoadModule('/src/viewer/settings/gallery.ts');
-  const { PRESET_NAMES } = await server.ssrLoadModule('/src/viewer/settings/presetLabels.ts');
+  const { PRESET_NAMES } = await server.ssrLoadModule('/src/viewer/settings/presets.ts');
   const pictures = [
     ...GALLERY.map(({ name, link }) => ({ ...DRAWING, name, link })),
     ...PRESET_NAMES.map((name) => ({ ...PRESET, name: `preset-${name}`, link: `preset=${name}&model=sphere` })),

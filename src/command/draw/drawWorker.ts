@@ -1,5 +1,5 @@
 import { parentPort, workerData } from 'node:worker_threads';
-import type { DrawMessage, DrawTask } from '../DrawThread.js';
+import type { DrawMessage, DrawTask } from '../draw.js';
 
 /** The script of the drawing thread. Its modules are imported at run time, so that it can report one that is not installed. */
 const say = (message: DrawMessage): void => parentPort?.postMessage(message);

@@ -1,19 +1,18 @@
 import { Group, MathUtils, PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
-import { bakeOcclusion, flatteringLight } from 'three-hatching';
+import { bakeOcclusion, flatteringLight, type PresetName } from 'three-hatching';
 import { lyingSize } from '../../vector/svg/sheetSizes.js';
 import { bakeFurther } from '../../viewer/drawing/bakeFurther.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../viewer/drawing/meshes.js';
+import { indexOfName } from '../../viewer/files/common/ModelError.js';
 import { type FileCamera, movedExtras } from '../../viewer/files/common/ModelExtras.js';
-import { indexOfName } from '../../viewer/files/common/names.js';
 import { Backdrop } from '../../viewer/sceneSetup/Backdrop.js';
-import { castersOf } from '../../viewer/sceneSetup/castersOf.js';
-import { WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
-import { ABOUT_SQUARE, proportionOf } from '../../viewer/sceneSetup/framing.js';
+import { ABOUT_SQUARE, proportionOf, strokeShare } from '../../viewer/sceneSetup/framing.js';
 import { Ground } from '../../viewer/sceneSetup/Ground.js';
+import { castersOf, WHOLE_SHEET } from '../../viewer/sceneSetup/groundShadow.js';
 import { DEFAULT_VIEW, LENS } from '../../viewer/sceneSetup/LensCamera.js';
 import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
-import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
+import { lightsOfFile } from '../../viewer/sceneSetup/ofFile.js';
 import {
   cameraOfFile,
   type EyeDirection,
@@ -23,11 +22,53 @@ import {
   type PlacedCamera,
   roomiestView,
 } from '../../viewer/sceneSetup/placeCamera.js';
-import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
+import type { CameraView } from '../../viewer/settings/CameraView.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
+import { firstView, presetLook, wholeLook } from '../../viewer/settings/presets.js';
+import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { formDrawn } from '../../viewer/settings/settingValues.js';
-import type { DrawingOptions } from '../DrawingOptions.js';
-import type { DrawnWith } from './settingsFor.js';
+import { readLink } from '../../viewer/settings/shareLink.js';
+import type { DrawingOptions } from '../parseDrawing.js';
+
+/** The settings and the camera of a drawing. */
+interface DrawnWith {
+  settings: Settings;
+  /** The camera of a link; undefined to frame the model. */
+  camera: CameraView | undefined;
+  /** Whether an option or a link sets the light; if not, it is chosen for the view. */
+  isLit: boolean;
+}
+
+/**
+ * The playground settings for a command line: those of the link or of the first view, overridden by options.
+ *
+ * @param link the hash of a link
+ * @param upAxis up axis of the model
+ */
+export function settingsFor(
+  { preset, view, light, shadows, up }: DrawingOptions,
+  link: string | undefined,
+  upAxis: Settings['upAxis'],
+): DrawnWith {
+  const linked = link === undefined ? undefined : readLink(link);
+  const settings: Settings = linked?.settings ?? firstView();
+  // A preset brings the playground's shadows along, unless a link sets its own.
+  if (preset) Object.assign(settings, linked ? presetLook(preset as PresetName) : wholeLook(preset as PresetName));
+  if (light) {
+    const azimuth = MathUtils.euclideanModulo(light.azimuth + 180, 360) - 180;
+    Object.assign(settings, { lightAzimuth: azimuth, lightElevation: light.elevation, lightFollows: 'model' });
+  }
+  if (shadows !== undefined) settings.shadows = shadows ? 'on' : 'off';
+  if (settings.shadows === 'off' && settings.ground === 'shadow') settings.ground = SETTINGS.ground.default;
+  const isUpLinked = link !== undefined && new URLSearchParams(link).has('upAxis');
+  Object.assign(settings, {
+    model: 'file',
+    compare: SETTINGS.compare.default,
+    debugView: SETTINGS.debugView.default,
+    upAxis: up ?? (isUpLinked ? settings.upAxis : upAxis),
+  });
+  return { settings, camera: view ? undefined : linked?.camera, isLit: light !== undefined || linked !== undefined };
+}
 
 /** How a model fills the sheet within its margins, and how it leaves room for its shadow. */
 const ON_SHEET = { fill: 0.96, room: { model: 0.92, shadow: 0.93, smaller: 1.25 } } as const;
@@ -35,7 +76,7 @@ const MILLIMETRES_PER_INCH = 25.4;
 const UP = new Vector3(0, 1, 0);
 
 /** Reports the current step, and its progress in [0, 1]. */
-export type Report = (stage: string, progress: number) => void;
+type Report = (stage: string, progress: number) => void;
 
 /** A model on its ground, with lights and a camera. */
 export interface StagedModel {

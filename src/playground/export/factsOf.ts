@@ -1,8 +1,8 @@
+import { meshesOf } from '../../viewer/drawing/meshes.js';
 import { REVISION } from 'three';
 import { version } from '../../../package.json';
-import { meshesOf } from '../../viewer/drawing/meshesOf.js';
 import type { ModelStatistics } from '../../viewer/drawing/statistics.js';
-import { extensionOf, withoutGz } from '../../viewer/files/common/fileName.js';
+import { extensionOf, withoutGz } from '../../viewer/files/common/ModelFile.js';
 import { FORMATS } from '../../viewer/files/formats.js';
 import { writeLink } from '../../viewer/settings/shareLink.js';
 import type { Session } from '../session/Session.js';

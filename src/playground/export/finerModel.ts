@@ -1,7 +1,7 @@
 import { type BufferGeometry, Group, MathUtils, Mesh } from 'three';
 import { bakeMesh } from '../../viewer/drawing/bakeMesh.js';
 import type { Report } from '../../viewer/drawing/buildModel.js';
-import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../viewer/drawing/meshes.js';
 import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import type { ModelFile, ReadMesh } from '../../viewer/files/readModel.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';

@@ -1,5 +1,5 @@
 import type { Report } from '../../viewer/drawing/buildModel.js';
-import { LAYERS } from '../../viewer/sceneSetup/layers.js';
+import { LAYERS } from '../../viewer/sceneSetup/Ground.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { describePrint, drawPicture, nearestRadius, type PrintPlan, ZipWriter } from '../print/print.js';
 import type { PictureSession } from '../viewport/PictureSession.js';

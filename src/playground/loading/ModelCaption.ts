@@ -1,5 +1,5 @@
 import type { ModelStatistics } from '../../viewer/drawing/statistics.js';
-import { shownName, shownText } from '../../viewer/files/common/shownText.js';
+import { shownName, shownText } from '../../viewer/files/common/ModelError.js';
 
 /** The maximum length of notes in the caption. Its button shows the rest. */
 const MAX_NOTES = 100;

@@ -1,4 +1,4 @@
-import { shownName } from '../../viewer/files/common/shownText.js';
+import { shownName } from '../../viewer/files/common/ModelError.js';
 import { describeAddress } from './fetchModel.js';
 
 /** The first answer is disabled for this long, in milliseconds, so that a click meant for something else agrees to nothing. */

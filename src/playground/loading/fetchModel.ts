@@ -1,6 +1,5 @@
-import { baseName } from '../../viewer/files/common/fileName.js';
-import { ModelError } from '../../viewer/files/common/ModelError.js';
-import { shownName } from '../../viewer/files/common/shownText.js';
+import { ModelError, shownName } from '../../viewer/files/common/ModelError.js';
+import { baseName } from '../../viewer/files/common/ModelFile.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import type { FetchMessage } from '../fetch/fetchMain.js';
 

@@ -1,14 +1,12 @@
 import { MathUtils, Spherical } from 'three';
 import { flatteringLight } from 'three-hatching';
+import { lightsOfFile, viewsOfFile } from '../../viewer/sceneSetup/ofFile.js';
+import { lightOf, type SavedView, isLitBy } from '../../viewer/settings/CameraView.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { type ModelExtras, movedExtras } from '../../viewer/files/common/ModelExtras.js';
-import { counted } from '../../viewer/files/common/shownText.js';
-import { lightsOfFile } from '../../viewer/sceneSetup/lightsOfFile.js';
-import { viewsOfFile } from '../../viewer/sceneSetup/viewsOfFile.js';
-import { acceptSetting } from '../../viewer/settings/acceptSetting.js';
+import { counted } from '../../viewer/files/common/ModelError.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
-import { isLitBy, lightOf, type SavedView } from '../../viewer/settings/savedViews.js';
-import type { Settings } from '../../viewer/settings/settings.js';
+import { acceptSetting, type Settings } from '../../viewer/settings/settings.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
 /** Lights models, and creates views from the cameras and lights of their files. Fetched with the first model that needs it. */

@@ -2,9 +2,8 @@ import { Box3, BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Me
 import { HatchingMaterial, type HatchingMaterialParameters } from 'three-hatching';
 import type { BuiltInScene } from '../../viewer/drawing/buildModel.js';
 import { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import { outlineOf } from '../../viewer/drawing/outlineOf.js';
-import { boundsOf } from '../../viewer/files/mesh/boundsOf.js';
-import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
+import { outlineOf } from '../../viewer/drawing/meshes.js';
+import { boundsOf, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import type { ReadModel } from '../../viewer/files/readModel.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';

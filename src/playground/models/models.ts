@@ -10,8 +10,7 @@ import type { ModelScene } from '../../viewer/files/gltf/parseGltf.js';
 import type { PlainMesh } from '../../viewer/files/mesh/PlainMesh.js';
 import type { ModelFile, ReadModel } from '../../viewer/files/readModel.js';
 import type { Settings } from '../../viewer/settings/settings.js';
-import type { LoadOptions } from '../reading/loadModelFiles.js';
-import { loadModelFiles, takeReadAhead } from '../reading/loadModelFiles.js';
+import { type LoadOptions, loadModelFiles, takeReadAhead } from '../reading/loadModelFiles.js';
 
 interface BuiltIn {
   /** The name in the caption. */
@@ -42,7 +41,7 @@ const builtIn = {
     async load(options) {
       const [{ default: dataUri }, { dataOf }] = await Promise.all([
         import('@pmndrs/assets/models/suzi.glb.js'),
-        import('../../viewer/files/common/readUri.js'),
+        import('../../viewer/files/common/ModelFile.js'),
       ]);
       const content = dataOf(dataUri);
       if (!content) throw new ModelError('Suzanne is damaged.');
@@ -63,7 +62,7 @@ const builtIn = {
     async load() {
       const [{ positions, cells }, { cleanMesh }] = await Promise.all([
         import('snowden/lo.js'),
-        import('../../viewer/files/repair/cleanMesh.js'),
+        import('../../viewer/files/mesh/cleanMesh.js'),
       ]);
       const whole = meshOfPackage({ positions, cells: cells.filter((cell) => !isStray(positions, cell)) });
       return builtInMesh('Bust', cleanMesh(whole).mesh);

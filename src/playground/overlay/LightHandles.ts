@@ -1,5 +1,4 @@
-import { acceptSetting } from '../../viewer/settings/acceptSetting.js';
-import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
+import { acceptSetting, SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { placeOfLight, placeOfSecondLight } from '../../viewer/settings/settingValues.js';
 import { page } from '../page/page.js';
 import { LightHandle } from '../viewport/light/LightHandle.js';

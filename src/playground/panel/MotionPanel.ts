@@ -1,5 +1,5 @@
 import type { Motion } from '../../viewer/drawing/Motion.js';
-import { shownName } from '../../viewer/files/common/shownText.js';
+import { shownName } from '../../viewer/files/common/ModelError.js';
 import { type SliderValue, ValueSlider } from '../page/ValueSlider.js';
 
 /** The maximum number of morph target sliders. */

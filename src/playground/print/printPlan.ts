@@ -1,5 +1,5 @@
 import { MILLIMETRES_PER_INCH, SHEET_SIZES, type SheetName } from '../../vector/svg/sheetSizes.js';
-import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
+import { strokeShare } from '../../viewer/sceneSetup/framing.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 
 /** Dots per inch of pictures in page size; the panel converts widths to print with it. */

@@ -1,5 +1,5 @@
 import { ModelError } from '../../viewer/files/common/ModelError.js';
-import { readingTime } from '../../viewer/files/readingTime.js';
+import { readingTime } from '../../viewer/files/common/ModelFile.js';
 import type { ModelFile, ReadModel } from '../../viewer/files/readModel.js';
 import type { FineRequest, ModelWorkerMessage } from './model.worker.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
@@ -81,7 +81,7 @@ async function readHere(files: readonly ModelFile[], { signal, onStage, variant 
     );
   }
   const { readModel } = await import('../../viewer/files/readModel.js');
-  const { withPictures } = await import('../../viewer/files/decodePictures.js');
+  const { withPictures } = await import('../../viewer/files/pictures/decodePictures.js');
   signal.throwIfAborted();
   const read = await readModel(files, onStage, PAGE_SURROUNDINGS, variant);
   const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);

@@ -1,8 +1,7 @@
 import { toModelError } from '../../viewer/files/common/ModelError.js';
-import { withPictures } from '../../viewer/files/decodePictures.js';
-import { checkTriangleCount } from '../../viewer/files/mesh/checkTriangleCount.js';
-import { meshBuffers, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
+import { checkTriangleCount, meshBuffers, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import { needsCoarse } from '../../viewer/files/mesh/plainNormals.js';
+import { withPictures } from '../../viewer/files/pictures/decodePictures.js';
 import {
   type ModelFile,
   type OnStage,

@@ -1,9 +1,7 @@
 import { MOST_PIXELS } from '../../mesh/detail/chooseLevel.js';
-import { canDraw } from '../../viewer/files/mesh/checkTriangleCount.js';
 import { clusterMesh } from '../../viewer/files/mesh/clusterMesh.js';
-import { isClosed } from '../../viewer/files/mesh/isClosed.js';
-import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
-import { meanNormals, plainNormals } from '../../viewer/files/mesh/plainNormals.js';
+import { canDraw, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
+import { isClosed, meanNormals, plainNormals } from '../../viewer/files/mesh/plainNormals.js';
 import type { ReadMesh, ReadModel } from '../../viewer/files/readModel.js';
 
 /** Meshes with more triangles are simplified before they are baked. */
@@ -50,7 +48,7 @@ export async function simplified(
 ): Promise<ReadMesh> {
   const [{ MeshoptSimplifier }, { simplifyMesh }] = await Promise.all([
     import('meshoptimizer/simplifier'),
-    import('../../viewer/files/repair/simplifyMesh.js'),
+    import('../../viewer/files/mesh/simplifyMesh.js'),
   ]);
   await MeshoptSimplifier.ready;
   const { mesh, error } = simplifyMesh(model.mesh, MeshoptSimplifier, onProgress, most);

@@ -1,4 +1,4 @@
-import { shownName } from '../../viewer/files/common/shownText.js';
+import { shownName } from '../../viewer/files/common/ModelError.js';
 import { findElement, textButton } from '../page/elements.js';
 import type { NamedItem, NamedList } from './SavedViews.js';
 

@@ -1,5 +1,5 @@
-import { acceptLook, hasLook, type OwnLook } from '../../viewer/settings/ownLook.js';
-import { plainName } from '../../viewer/settings/savedViews.js';
+import { plainName } from '../../viewer/settings/CameraView.js';
+import { acceptLook, hasLook, type OwnLook } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { newId } from '../session/DrawingStore.js';
 import { freeName, type NamedItem, type NamedList } from './SavedViews.js';

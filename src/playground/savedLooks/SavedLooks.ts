@@ -1,4 +1,4 @@
-import type { OwnLook } from '../../viewer/settings/ownLook.js';
+import type { OwnLook } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { findElement } from '../page/elements.js';
 import { thumbnailOf } from '../session/KeptPicture.js';

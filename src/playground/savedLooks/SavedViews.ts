@@ -1,5 +1,5 @@
+import { isLitBy, lightOf, MAX_VIEWS, plainName, type SavedView } from '../../viewer/settings/CameraView.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
-import { isLitBy, lightOf, MAX_VIEWS, plainName, type SavedView } from '../../viewer/settings/savedViews.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import type { Viewport } from '../viewport/Viewport.js';
 

@@ -1,6 +1,5 @@
-import type { ModelChoice } from '../../viewer/settings/ModelChoice.js';
-import type { Status } from '../tasks/Status.js';
-import { sentenceFor } from '../tasks/Status.js';
+import type { ModelChoice } from '../../viewer/settings/shareLink.js';
+import { type Status, sentenceFor } from '../tasks/Status.js';
 import type { DrawingStore } from './DrawingStore.js';
 import type { LinkFollower } from './LinkFollower.js';
 import type { PageAddress } from './PageAddress.js';

@@ -1,8 +1,8 @@
+import type { ModelFile } from '../../viewer/files/readModel.js';
+import type { SavedView } from '../../viewer/settings/CameraView.js';
 import type { Hand, HandNumbers, HandStroke } from 'three-hatching';
-import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
-import { isSameChoice, type ModelChoice } from '../../viewer/settings/ModelChoice.js';
-import type { SavedView } from '../../viewer/settings/savedViews.js';
 import { SETTING_KEYS, type Settings } from '../../viewer/settings/settings.js';
+import { isSameChoice, type ModelChoice } from '../../viewer/settings/shareLink.js';
 import type { ViewState } from '../viewport/View.js';
 
 /** The user's own hand so far. Immutable, because Undo returns to earlier ones. */

@@ -1,4 +1,4 @@
-import { shownName } from '../../viewer/files/common/shownText.js';
+import { shownName } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import type { CameraView } from '../../viewer/settings/CameraView.js';
 import type { Status } from '../tasks/Status.js';

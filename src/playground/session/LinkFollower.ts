@@ -1,6 +1,6 @@
 import { ModelError } from '../../viewer/files/common/ModelError.js';
-import type { ModelChoice } from '../../viewer/settings/ModelChoice.js';
 import { SETTINGS } from '../../viewer/settings/settings.js';
+import type { ModelChoice } from '../../viewer/settings/shareLink.js';
 import { askToFetch } from '../loading/ask.js';
 import type { DrawingState } from './DrawingState.js';
 import type { DrawingStore } from './DrawingStore.js';

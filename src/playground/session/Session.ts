@@ -1,8 +1,8 @@
 import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
 import { EditHistory } from '../../viewer/settings/EditHistory.js';
-import { choosesMap } from '../../viewer/settings/effects.js';
 import { type Look, lookOf } from '../../viewer/settings/lookOf.js';
 import type { SettingKey, Settings } from '../../viewer/settings/settings.js';
+import { choosesMap } from '../../viewer/settings/settingValues.js';
 import { type LinkedDrawing, readLink, writeLink } from '../../viewer/settings/shareLink.js';
 import { MapLoader } from '../loading/MapLoader.js';
 import { type ModelEnd, ModelLoader, type OpenedModel } from '../loading/ModelLoader.js';

@@ -1,5 +1,4 @@
-import { errorMessage, ModelError } from '../../viewer/files/common/ModelError.js';
-import { shownText } from '../../viewer/files/common/shownText.js';
+import { errorMessage, ModelError, shownText } from '../../viewer/files/common/ModelError.js';
 
 /** An action that solves a problem or continues a result. */
 export interface Remedy {

@@ -1,8 +1,8 @@
-import { MathUtils, type WebGLInfo, WebGLRenderer } from 'three';
-import { type SheetPart, WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
+import { WebGLRenderer, MathUtils, type WebGLInfo } from 'three';
+import { strokeShare } from '../../viewer/sceneSetup/framing.js';
+import { type SheetPart, WHOLE_SHEET } from '../../viewer/sceneSetup/groundShadow.js';
 import { createCamera } from '../../viewer/sceneSetup/LensCamera.js';
 import type { ShadowQuality } from '../../viewer/sceneSetup/LightRig.js';
-import { strokeShare } from '../../viewer/sceneSetup/strokeShare.js';
 import type { Look } from '../../viewer/settings/lookOf.js';
 import type { Scenery } from './Scenery.js';
 

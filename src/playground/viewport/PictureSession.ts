@@ -1,6 +1,6 @@
 import type { BufferGeometry } from 'three';
-import { meshesOf } from '../../viewer/drawing/meshesOf.js';
-import type { Layer } from '../../viewer/sceneSetup/layers.js';
+import { meshesOf } from '../../viewer/drawing/meshes.js';
+import type { Layer } from '../../viewer/sceneSetup/Ground.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { LostContextError } from './ContextLoss.js';
 import { MARGIN } from './Painter.js';

@@ -1,13 +1,10 @@
 import { Group, type Matrix4, type PerspectiveCamera, Scene, Vector3 } from 'three';
 import type { TonalArtMap } from 'three-hatching';
-import type { NodeMakers } from '../../viewer/drawing/materials.js';
-import { releaseGraphics } from '../../viewer/drawing/releaseGraphics.js';
+import { type NodeMakers, releaseGraphics } from '../../viewer/drawing/materials.js';
 import { Backdrop } from '../../viewer/sceneSetup/Backdrop.js';
-import { castersOf } from '../../viewer/sceneSetup/castersOf.js';
-import type { SheetPart } from '../../viewer/sceneSetup/fadeOnSheet.js';
-import { Ground } from '../../viewer/sceneSetup/Ground.js';
+import { Ground, type Layer } from '../../viewer/sceneSetup/Ground.js';
+import { castersOf, type SheetPart } from '../../viewer/sceneSetup/groundShadow.js';
 import { LightRig } from '../../viewer/sceneSetup/LightRig.js';
-import type { Layer } from '../../viewer/sceneSetup/layers.js';
 import type { Look } from '../../viewer/settings/lookOf.js';
 import { UPRIGHT } from '../../viewer/settings/settingValues.js';
 import { ShownModel } from './ShownModel.js';

@@ -1,7 +1,7 @@
 import type { BufferGeometry } from 'three';
 import type { TonalArtMap } from 'three-hatching';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import { WHOLE_SHEET } from '../../viewer/sceneSetup/fadeOnSheet.js';
+import { WHOLE_SHEET } from '../../viewer/sceneSetup/groundShadow.js';
 import type { LensCamera } from '../../viewer/sceneSetup/LensCamera.js';
 import type { Look } from '../../viewer/settings/lookOf.js';
 import { warmUpModel } from '../loading/placeholderOf.js';

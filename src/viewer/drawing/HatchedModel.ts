@@ -30,10 +30,16 @@ import { type ModelExtras, NO_EXTRAS } from '../files/common/ModelExtras.js';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
 import type { Motion } from './Motion.js';
-import type { EitherMaterial, NodeMakers } from './materials.js';
-import { materialSizesIn, outlineSizesIn, parameterSetter } from './materials.js';
-import { meshesOf } from './meshesOf.js';
-import { releaseGraphics, releaseMaterial } from './releaseGraphics.js';
+import {
+  type EitherMaterial,
+  materialSizesIn,
+  type NodeMakers,
+  outlineSizesIn,
+  parameterSetter,
+  releaseGraphics,
+  releaseMaterial,
+} from './materials.js';
+import { meshesOf } from './meshes.js';
 import type { ModelStatistics } from './statistics.js';
 
 /** Blending that leaves the colour unchanged. The surface still writes depth. */

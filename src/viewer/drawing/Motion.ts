@@ -1,6 +1,6 @@
 import { type AnimationAction, type AnimationClip, AnimationMixer, type Mesh, type Object3D } from 'three';
-import { distinctNames } from '../files/common/names.js';
-import { meshesOf } from './meshesOf.js';
+import { distinctNames } from '../files/common/ModelError.js';
+import { meshesOf } from './meshes.js';
 
 /** The longest step between two frames, in seconds. Longer pauses, for instance in a hidden tab, are cut to it. */
 const LONGEST_STEP = 0.1;

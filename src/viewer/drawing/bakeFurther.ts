@@ -1,6 +1,6 @@
 import type { BufferGeometry, Object3D } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
-import { meshesOf } from './meshesOf.js';
+import { meshesOf } from './meshes.js';
 
 /** The attributes of form lines. */
 const NAMES = ['formValue', 'formSlope', 'formCrossing'] as const;

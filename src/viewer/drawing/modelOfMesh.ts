@@ -1,14 +1,12 @@
-import type { BufferGeometry } from 'three';
-import { Box3, Group, Mesh, type Side, SRGBColorSpace, Texture } from 'three';
+import { Box3, type BufferGeometry, Group, Mesh, type Side, SRGBColorSpace, Texture } from 'three';
 import { HatchingMaterial, type HatchingMaterialParameters, HatchingOutlines, SceneExtent } from 'three-hatching';
+import { cleanMesh } from '../files/mesh/cleanMesh.js';
 import { type PictureRange, type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
 import type { ReadMesh } from '../files/readModel.js';
-import { cleanMesh } from '../files/repair/cleanMesh.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
-import { meshesOf } from './meshesOf.js';
-import { outlineOf } from './outlineOf.js';
+import { meshesOf, outlineOf } from './meshes.js';
 import { statisticsOf } from './statistics.js';
 
 /** The largest normalised values of a signed 16-bit and of an unsigned 8-bit integer, which stand for 1. */

@@ -12,22 +12,18 @@ import {
   Vector3,
 } from 'three';
 import { applyHatching } from 'three-hatching';
+import { counted } from '../files/common/ModelError.js';
 import { Slices } from '../files/common/Slices.js';
-import { counted } from '../files/common/shownText.js';
 import type { ModelScene } from '../files/gltf/parseGltf.js';
-import { checkTriangleCount } from '../files/mesh/checkTriangleCount.js';
 import { findUpAxis, type UsualUp } from '../files/mesh/findUpAxis.js';
 import { measureExtent } from '../files/mesh/fitModel.js';
-import { thinNote } from '../files/mesh/triangleAreas.js';
-import { repairScene } from '../files/repair/repairGeometry.js';
-import { placements } from '../files/scenes/placements.js';
+import { checkTriangleCount, thinNote } from '../files/mesh/PlainMesh.js';
+import { repairScene } from '../files/scenes/repairGeometry.js';
 import { settleAlpha } from '../files/scenes/settleAlpha.js';
-import { drawnMeshes, drawnVertices } from './drawnParts.js';
 import { HatchedModel } from './HatchedModel.js';
 import { Motion } from './Motion.js';
-import { meshesOf } from './meshesOf.js';
-import { freeGraphics } from './releaseGraphics.js';
-import { carryingBox, standingBox } from './standingBox.js';
+import { freeGraphics } from './materials.js';
+import { carryingBox, drawnMeshes, drawnVertices, meshesOf, placements, standingBox } from './meshes.js';
 import { statisticsOf } from './statistics.js';
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;

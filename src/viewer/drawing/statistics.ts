@@ -1,7 +1,6 @@
 import type { Object3D } from 'three';
 import type { HatchingStatistics } from 'three-hatching';
-import { placements } from '../files/scenes/placements.js';
-import { meshesOf } from './meshesOf.js';
+import { meshesOf, placements } from './meshes.js';
 
 /** Statistics of the bake, summed over a model. */
 export interface ModelStatistics {

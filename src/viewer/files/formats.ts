@@ -1,11 +1,12 @@
+import { ModelError } from './common/ModelError.js';
+import { extensionOf } from './common/ModelFile.js';
 import type { FindFile, Surroundings } from './common/Surroundings.js';
-import { binaryStlLength } from './formats/binaryStlLength.js';
 import type { ReadGltf } from './gltf/readGltf.js';
 import type { NotedMesh } from './mesh/PlainMesh.js';
 import type { LoadedScene } from './scenes/LoadedScene.js';
 
 /** The beginning of a file, by which its format is detected. */
-export interface FileStart {
+interface FileStart {
   /** The whole file. */
   bytes: Uint8Array;
   /** Its first bytes, one character per byte. */
@@ -163,7 +164,7 @@ export const FORMATS: readonly ModelFormat[] = [
     up: 'z',
     liesFlat: true,
     loader: { name: 'STLLoader', gives: 'geometry' },
-    read: async ({ bytes }) => (await import('./formats/readStl.js')).readStl(bytes),
+    read: async ({ bytes }) => (await import('./formats/readStl.js')).readStl(bytes, binaryStlLength(bytes)),
   },
   {
     name: 'OFF',
@@ -202,8 +203,77 @@ export const formatOf = (extension: string): ModelFormat | undefined =>
 const FIRST_CHUNKS = [0x0001, 0x0002, 0x3d3d, 0x3d3e, 0xb000];
 
 /** Whether bytes begin with the main chunk of a 3DS file and one of the possible first chunks. */
-export function is3ds(bytes: Uint8Array): boolean {
+function is3ds(bytes: Uint8Array): boolean {
   if (bytes.length < 12 || bytes[0] !== 0x4d || bytes[1] !== 0x4d) return false;
   const view = new DataView(bytes.buffer, bytes.byteOffset);
   return view.getUint32(2, true) <= bytes.length && FIRST_CHUNKS.includes(view.getUint16(6, true));
+}
+
+/**
+ * Detects the format of a file by its content, and by its name only if the content is ambiguous. A ZIP archive may be a model in itself, or
+ * contain one.
+ *
+ * @param name the file's name, without a `.gz`
+ * @param extension used instead of the name's extension
+ * @throws ModelError that says what the file is instead
+ */
+export function sniffFormat(name: string, bytes: Uint8Array, extension = extensionOf(name) ?? ''): ModelFormat | 'zip' {
+  if (bytes.length === 0) throw new ModelError(`${name} is empty.`);
+  const head = new TextDecoder('latin1').decode(bytes.subarray(0, 2048));
+  const start: FileStart = { bytes, head };
+  if (head.startsWith(ZIP_SIGNATURE)) return 'zip';
+  const known = FORMATS.find(({ hasSignature }) => hasSignature?.(start));
+  if (known) return known;
+  const cloud = POINTS.find(([, beginning, extensions]) => beginning.test(head) || extensions.includes(extension))?.[0];
+  if (cloud) throw new ModelError(`${name} holds ${cloud}, not triangles; only surfaces can be hatched.`);
+  const foreign = FOREIGN.find(([, beginning]) => beginning.test(head))?.[0];
+  if (foreign) throw new ModelError(`${name} is ${foreign}, which this page does not read; save it as GLB, say.`);
+  const other = OTHER_KINDS.find(([, beginning]) => beginning.test(head))?.[0];
+  if (other) throw new ModelError(`${name} is ${other}, not a 3D model.`);
+  const alike = FORMATS.find(({ looksLike }) => looksLike?.(start));
+  if (alike) return alike;
+  const named = formatOf(extension);
+  if (named?.isBelieved) return named;
+  if (named || extension === 'zip') {
+    const article = /^[fos]/.test(extension) ? 'an' : 'a';
+    throw new ModelError(`${name} is not ${article} ${extension.toUpperCase()} file inside, or it was cut short.`);
+  }
+  throw new ModelError(`${name} is not a model this page can read; it takes ${formatNames('and')}, also in a ZIP.`);
+}
+
+/** Built from codes, because Biome reports control characters in literals. */
+const ZIP_SIGNATURE = `PK${String.fromCharCode(3, 4)}`;
+
+/** Point formats, which have no surfaces, by signature or extension. */
+const POINTS: readonly [what: string, beginning: RegExp, extensions: readonly string[]][] = [
+  ['Gaussian splats', /^NGSP/, ['splat', 'ksplat', 'spz', 'sog']],
+  ['a cloud of points', /^(# \.PCD|LASF|ASTM-E57)/, ['pcd', 'las', 'laz', 'e57', 'xyz', 'pts', 'ptx']],
+];
+
+/** Unsupported model formats, by signature. */
+const FOREIGN: readonly [what: string, beginning: RegExp][] = [
+  ['a Blender file', /^BLENDER/],
+  ['a STEP file', /^ISO-10303-21/],
+  ['a VRML file of version 1', /^#VRML V1|^#Inventor/],
+  ['an X3D file', /^\s*<[\s\S]*<X3D\b/],
+  ['an AMF file', /^\s*<[\s\S]*<amf\b/],
+];
+
+/** Other files that are often dropped by mistake, by signature. */
+const OTHER_KINDS: readonly [what: string, beginning: RegExp][] = [
+  ['a web page', /^\s*<(!doctype\s+html|html|head|body)/i],
+  ['an XML file', /^\s*(<\?xml|<svg)/i],
+  ['a picture', /^(.PNG\r\n|\xff\xd8\xff|GIF8)/],
+  ['a PDF document', /^%PDF/],
+];
+
+const HEADER_BYTES = 84;
+const TRIANGLE_BYTES = 50;
+
+/** The length of a binary STL file according to its triangle count; undefined if the bytes cannot be such a file. */
+export function binaryStlLength(bytes: Uint8Array): number | undefined {
+  if (bytes.length < HEADER_BYTES) return undefined;
+  const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
+  const length = HEADER_BYTES + count * TRIANGLE_BYTES;
+  return count > 0 && length <= bytes.length ? length : undefined;
 }

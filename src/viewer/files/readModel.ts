@@ -1,32 +1,36 @@
 import { Matrix4, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
-import type { BundledDrawing } from './archives/bundle.js';
-import { gunzip } from './archives/gunzip.js';
-import { readArchive } from './archives/readArchive.js';
-import { BITMAPS } from './common/bitmaps.js';
-import { baseName, extensionOf, withoutGz } from './common/fileName.js';
-import { ModelError, toModelError } from './common/ModelError.js';
+import type { BundledDrawing } from './bundle.js';
+import { toUtf8 } from './common/AsciiReader.js';
+import { counted, ModelError, shownName, toModelError } from './common/ModelError.js';
 import { type ModelExtras, movedExtras } from './common/ModelExtras.js';
-import type { ModelFile } from './common/ModelFile.js';
-import { MAX_BYTES } from './common/ModelFile.js';
-import type { FindFile, Surroundings } from './common/Surroundings.js';
-import { counted, shownName } from './common/shownText.js';
-import { toUtf8 } from './common/toUtf8.js';
-import { COMPANION_EXTENSIONS, FORMATS, type FormatFile, MODEL_EXTENSIONS, type ModelFormat } from './formats.js';
+import { baseName, extensionOf, MAX_BYTES, type ModelFile, withoutGz } from './common/ModelFile.js';
+import { BITMAPS, type FindFile, type Surroundings } from './common/Surroundings.js';
+import {
+  COMPANION_EXTENSIONS,
+  FORMATS,
+  type FormatFile,
+  MODEL_EXTENSIONS,
+  type ModelFormat,
+  sniffFormat,
+} from './formats.js';
 import type { GltfParts } from './gltf/parseGltf.js';
 import type { ReadGltf } from './gltf/readGltf.js';
+import { cleanMesh } from './mesh/cleanMesh.js';
+import { dropDuplicates } from './mesh/dropDuplicates.js';
 import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
-import { isClosed } from './mesh/isClosed.js';
-import type { NotedMesh, PlainMesh } from './mesh/PlainMesh.js';
-import { plainNormals } from './mesh/plainNormals.js';
-import { thinNote } from './mesh/triangleAreas.js';
-import { type MeshPicture, missingDetail, missingNote, readMeshPictures } from './pictures/meshPictures.js';
-import type { WantedPicture } from './pictures/WantedPicture.js';
-import { cleanMesh } from './repair/cleanMesh.js';
-import { dropDuplicates } from './repair/dropDuplicates.js';
+import { type NotedMesh, type PlainMesh, thinNote } from './mesh/PlainMesh.js';
+import { isClosed, plainNormals } from './mesh/plainNormals.js';
+import {
+  type MeshPicture,
+  missingDetail,
+  missingNote,
+  readMeshPictures,
+  type WantedPicture,
+} from './pictures/meshPictures.js';
+import { gunzip, readArchive } from './readArchive.js';
 import { DISPLACEMENT_NOTE, type LoadedScene } from './scenes/LoadedScene.js';
 import { mergeScene } from './scenes/mergeScene.js';
-import { sniffFormat } from './sniffFormat.js';
 
 export type { ModelFile };
 

@@ -1,7 +1,7 @@
 import type { Scene } from 'three';
 import { HatchingBackground, type SceneExtent } from 'three-hatching';
 import type { Look } from '../settings/lookOf.js';
-import type { Layer } from './layers.js';
+import type { Layer } from './Ground.js';
 
 /** The hatched background, created when a look first needs it. */
 export class Backdrop {

@@ -1,11 +1,13 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, type SceneExtent, type TonalArtMap } from 'three-hatching';
 import { BLANK } from '../drawing/HatchedModel.js';
-import type { EitherMaterial } from '../drawing/materials.js';
-import { materialSizesIn, parameterSetter } from '../drawing/materials.js';
-import { meshesOf } from '../drawing/meshesOf.js';
+import { type EitherMaterial, materialSizesIn, parameterSetter } from '../drawing/materials.js';
+import { meshesOf } from '../drawing/meshes.js';
 import type { Look } from '../settings/lookOf.js';
-import type { Layer } from './layers.js';
+
+/** The layers of a saved picture, bottom first. */
+export const LAYERS = ['colour', 'shadow', 'strokes', 'outline'] as const;
+export type Layer = (typeof LAYERS)[number];
 
 /**
  * The size of the ground in radii of the model: large enough for the longest shadow and a horizon. It is divided into parts, so that

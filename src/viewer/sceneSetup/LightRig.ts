@@ -10,10 +10,9 @@ import {
   SpotLight,
   Vector3,
 } from 'three';
-import type { Lighting } from '../settings/lighting.js';
+import type { Lighting } from '../settings/lookOf.js';
 import type { LightPlace } from '../settings/settingValues.js';
-import { fadeOnSheet, type GroundLight, type SheetPart } from './fadeOnSheet.js';
-import { shadowOnGround } from './shadowOnGround.js';
+import { fadeOnSheet, type GroundLight, type SheetPart, shadowOnGround } from './groundShadow.js';
 
 /** Distance of a directional light, in radii of the model: outside all casters of shadows. */
 export const SUN_DISTANCE = 1.45;

@@ -11,7 +11,7 @@ const MAX_ASIDE = 0.4;
 const UP = new Vector3(0, 1, 0);
 
 /** How a model leaves room for its shadow. */
-export interface ShadowRoom {
+interface ShadowRoom {
   /** The share of the picture that the model may fill while it leaves room. */
   model: number;
   /** The share of the picture that the shadow may fill. */
@@ -162,3 +162,11 @@ function within({ low, high, slope }: Span, distance: number, place: number): nu
   const most = slope * distance - low;
   return least > most ? (least + most) / 2 : MathUtils.clamp(place, least, most);
 }
+
+/** On a sheet smaller than this, in CSS pixels, strokes become thinner along with the drawing, down to a minimum share. */
+export const FULL_SHEET = { width: 640, height: 520 };
+export const LEAST_STROKE_SHARE = 0.55;
+
+/** The width of strokes on a sheet of this size, as a share of the settings' width. */
+export const strokeShare = (width: number, height: number): number =>
+  MathUtils.clamp(Math.min(width / FULL_SHEET.width, height / FULL_SHEET.height), LEAST_STROKE_SHARE, 1);

@@ -1,7 +1,6 @@
 import { engravedHand, type Hand } from 'three-hatching';
-import { acceptSetting } from './acceptSetting.js';
 import { settingsOfMaterial } from './materialLook.js';
-import { SETTINGS, type SettingKey, type Settings } from './settings.js';
+import { acceptSetting, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { drawsWithMap } from './settingValues.js';
 
 /**

@@ -1,13 +1,17 @@
+import { MathUtils } from 'three';
 import type { HatchingMaterialParameters } from 'three-hatching';
 import { needsMap } from 'three-hatching/facts';
-import { backgroundLook } from './compositionLook.js';
-import { type SHADOW_NUMBERS, shadowNumbers } from './groundShadow.js';
-import { type Lighting, lightingOf } from './lighting.js';
-import { materialLook, materialSizes } from './materialLook.js';
-import { type OutlineLook, outlineLook } from './outlineLook.js';
+import {
+  backgroundLook,
+  materialLook,
+  materialSizes,
+  type OutlineLook,
+  outlineLook,
+  type SHADOW_NUMBERS,
+  shadowNumbers,
+} from './materialLook.js';
 import { SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
-import { UPRIGHT } from './settingValues.js';
-import { withBoldnessAndDensity } from './withBoldnessAndDensity.js';
+import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from './settingValues.js';
 
 /** Values of settings that the node materials do not draw, with a description of each. */
 const LACKS: readonly { [Key in keyof Settings]: [Key, readonly Settings[Key][], string] }[keyof Settings][] = [
@@ -84,5 +88,61 @@ export function lookOf(settings: Settings): Look {
     needsMap: needsMap(drawn) || (compared !== undefined && needsMap(compared)),
     lackOfNodes: lackOfNodes(shown),
     programs: CHOICES.map((name) => shown[name]).join(),
+  };
+}
+
+/** The lights of a drawing. Intensities are in three.js's units, angles in radians. */
+export interface Lighting {
+  readonly kind: Settings['lightKind'];
+  readonly place: LightPlace;
+  readonly intensity: number;
+  /** Angle between the axis of a spot light and the edge of its cone. */
+  readonly spotAngle: number;
+  /** The soft share of a spot light's cone (three.js's `penumbra`). */
+  readonly spotPenumbra: number;
+  readonly second: { readonly place: LightPlace; readonly intensity: number } | undefined;
+  readonly castsShadows: boolean;
+  /** Whether the lights move with the viewer instead of staying with the model. */
+  readonly isWithViewer: boolean;
+}
+
+/**
+ * At an intensity of π, a white surface that faces the light has tone 0: bare paper.
+ *
+ * @param strength percent of that intensity
+ */
+const intensityOf = (strength: number): number => (Math.PI * strength) / 100;
+
+/** The lights for some settings. */
+function lightingOf(settings: Settings): Lighting {
+  const second = placeOfSecondLight(settings);
+  return {
+    kind: settings.lightKind,
+    place: placeOfLight(settings),
+    intensity: intensityOf(settings.lightStrength),
+    spotAngle: MathUtils.degToRad(settings.spotAngle) / 2,
+    spotPenumbra: settings.spotSoftness / 100,
+    second: second && { place: second, intensity: intensityOf(settings.secondStrength) },
+    castsShadows: settings.shadows === 'on',
+    isWithViewer: settings.lightFollows === 'viewer',
+  };
+}
+
+/**
+ * Applies the controls Boldness and Density to the settings that they scale. Bolder strokes are wider and farther apart, so that coverage
+ * stays the same; density changes coverage as the strength of the light would.
+ */
+export function withBoldnessAndDensity(settings: Settings): Settings {
+  const size = settings.boldness / 100;
+  const cover = settings.density / 100;
+  if (size === 1 && cover === 1) return settings;
+  return {
+    ...settings,
+    strokeWidth: settings.strokeWidth * size,
+    lineSpacing: settings.lineSpacing * size,
+    outlineWidth: settings.outlineWidth * size,
+    tilesPerUnit: settings.tilesPerUnit / size,
+    lightStrength: settings.lightStrength / cover,
+    secondStrength: settings.secondStrength / cover,
   };
 }

@@ -1,11 +1,18 @@
 import { MathUtils, Vector2 } from 'three';
-import type { HatchingMaterialParameters, HatchingPropertyName, HatchingTechnique, Vector2Like } from 'three-hatching';
-import { type PresetName, presets } from 'three-hatching';
-import { counts, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
-import { compositionLook } from './compositionLook.js';
+import {
+  type HatchingBackgroundParameters,
+  type HatchingMaterialParameters,
+  type HatchingOutlineParameters,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+  type PresetName,
+  presets,
+  type Vector2Like,
+} from 'three-hatching';
+import { counts, HATCHING_OUTLINE_DEFAULTS, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
-import { type Setting, unitOf } from './table/rows.js';
-import { STROKE_ROTATIONS, strokeDirectionOf } from './table/strokeSettings.js';
+import { type Setting, UNITS, unitOf } from './table/rows.js';
+import { outlineShadeOf, SHADE, STROKE_ROTATIONS, strokeDirectionOf } from './table/strokeSettings.js';
 
 const curveOf = (name: PresetName) => presets[name].material.toneCurve ?? 'linear';
 
@@ -63,7 +70,7 @@ const propertiesOf = (chosen: readonly PropertySetting[], settings: Settings): H
   Object.fromEntries(chosen.map(({ key, property }) => [property, toProperty(property, settings[key])]));
 
 /** The technique of the material. The settings' crisp strokes are a technique of their own; the material has a property for them. */
-export const techniqueOf = (technique: Settings['technique']): HatchingTechnique =>
+const techniqueOf = (technique: Settings['technique']): HatchingTechnique =>
   technique === 'adjacencyCrisp' ? 'adjacency' : technique;
 
 /**
@@ -123,4 +130,102 @@ function directionOf(strokeRotation: number): Partial<Settings> {
   const strokeDirection = strokeDirectionOf(strokeRotation);
   if (strokeDirection !== 'angle') return { strokeDirection };
   return { strokeDirection, strokeAngle: unitOf('strokeRotation').toSetting(strokeRotation) };
+}
+
+/** The composition parameters of the material that are not properties of the settings' own name. */
+const compositionLook = ({ depth, depthStrength, focus, focusX, focusY, focusZ }: Settings) =>
+  ({
+    depthFade: depth === 'auto' ? 'auto' : depth === 'on' ? depthStrength / 100 : 0,
+    focus: focus === 'on' ? [focusX, focusY, focusZ] : null,
+  }) satisfies HatchingMaterialParameters;
+
+/** The parameters of the background, with spacing in CSS pixels; undefined if there is no background. */
+export function backgroundLook(
+  settings: Settings,
+): Omit<Required<HatchingBackgroundParameters>, 'contrast'> | undefined {
+  if (settings.background === 'none') return undefined;
+  return {
+    tone: settings.backgroundTone / 100,
+    spacing: settings.backgroundSpacing,
+    direction: MathUtils.degToRad(settings.backgroundDirection),
+    extent: settings.backgroundExtent / 100,
+    ink: settings.ink,
+  };
+}
+
+/**
+ * The shadow properties whose settings have the same name, in percent. On the page they belong to the ground's material and not to the
+ * model's, so they are not material settings.
+ */
+export const SHADOW_NUMBERS = ['shadowTone', 'shadowFade', 'shadowSoftness'] as const;
+
+type ShadowNumbers = Record<(typeof SHADOW_NUMBERS)[number], number>;
+
+/** The shadow parameters of the ground's material. */
+export const shadowNumbers = (settings: Settings): ShadowNumbers =>
+  Object.fromEntries(SHADOW_NUMBERS.map((name) => [name, UNITS.share.toProperty(settings[name])])) as ShadowNumbers;
+
+/** The settings that correspond to shadow parameters of a material. Absent parameters give no setting. */
+export const settingsOfShadow = (parameters: HatchingMaterialParameters): Partial<Settings> =>
+  Object.fromEntries(
+    SHADOW_NUMBERS.flatMap((name) => {
+      const value = parameters[name];
+      return value === undefined ? [] : [[name, UNITS.share.toSetting(value)]];
+    }),
+  );
+
+/**
+ * Outlines overshoot corners once the wobble exceeds this many pixels, by one pixel for each pixel beyond. Below it they do not, because
+ * creases of scans have corners everywhere, and overshoots would look like thorns.
+ */
+const LIGHT_HAND = 1;
+const OVERSHOOT = 3;
+/** The outline parameters for some settings. */
+export type OutlineLook = ReturnType<typeof outlineLook>;
+
+/** Derives the parameters of the outline material. Sizes are in CSS pixels. */
+export function outlineLook(settings: Settings) {
+  const shade = settings.outlineShade / 100;
+  const creases = settings.outlineCreases / 100;
+  return {
+    outlineWidth: settings.outlineWidth,
+    contours: settings.outlineContours / 100,
+    innerContours: settings.outlineInner / 100,
+    borders: settings.outlineBorders / 100,
+    creases,
+    materialBorders: creases,
+    suggestiveContours: settings.outlineSuggestive / 100,
+    lostEdges: settings.outlineLost / 100,
+    accents: settings.outlineAccents / 100,
+    hidden: settings.outlineHidden,
+    shadeWeights: [1 - SHADE.lost * shade, 1 + SHADE.gained * shade] as const,
+    wobble: settings.outlineHand,
+    overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
+    // Outlines use the medium of the strokes.
+    tooth: counts({ technique: techniqueOf(settings.technique), medium: settings.medium }, 'tooth')
+      ? settings.tooth / 100
+      : 0,
+    toothSize: settings.toothSize,
+    ink: settings.ink,
+  };
+}
+
+/** The settings that correspond to outline parameters. Ink is the material's, and creases weigh as much as borders of materials. */
+export function settingsOfOutlines(parameters: HatchingOutlineParameters): Partial<Settings> {
+  const all = { ...HATCHING_OUTLINE_DEFAULTS, ...parameters };
+  const percent = (weight: number): number => Math.round(100 * weight);
+  return {
+    outlines: 'on',
+    outlineWidth: all.outlineWidth,
+    outlineContours: percent(all.contours),
+    outlineInner: percent(all.innerContours),
+    outlineBorders: percent(all.borders),
+    outlineCreases: percent(all.creases),
+    outlineSuggestive: percent(all.suggestiveContours),
+    outlineLost: percent(all.lostEdges),
+    outlineAccents: percent(all.accents),
+    outlineHidden: all.hidden,
+    outlineShade: outlineShadeOf(all.shadeWeights as readonly number[]),
+    outlineHand: all.wobble,
+  };
 }

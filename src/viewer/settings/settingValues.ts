@@ -1,7 +1,20 @@
 import { MathUtils } from 'three';
-import { counts, followsForm, formOf, type HatchingLook, needsAdjacency, needsMap } from 'three-hatching/facts';
+import type { HatchingTechnique } from 'three-hatching';
+import {
+  counts,
+  followsForm,
+  formOf,
+  HATCHING_FACTS,
+  HATCHING_PROPERTIES,
+  type HatchingLook,
+  knowsChoice,
+  measureOf,
+  needsAdjacency,
+  needsMap,
+} from 'three-hatching/facts';
 import { materialLook } from './materialLook.js';
-import type { Settings } from './settings.js';
+import { SETTINGS, type SettingKey, type Settings } from './settings.js';
+import { type Setting, UNITS } from './table/rows.js';
 
 /** Position of a light, seen from the centre of the model: azimuth and elevation in degrees, and distance in radii for lamps. */
 export interface LightPlace {
@@ -61,3 +74,54 @@ export const UPRIGHT: Readonly<Record<Settings['upAxis'], [number, number, numbe
   '-z': [Math.PI / 2, 0, 0],
   '-x': [0, 0, -Math.PI / 2],
 };
+
+/**
+ * Whether a setting changes the drawing or the saved file.
+ *
+ * @param looks that are drawn
+ */
+export function hasEffect(
+  key: SettingKey,
+  settings: Settings,
+  looks: readonly HatchingLook[] = looksOf(settings),
+): boolean {
+  const { when = {} }: Setting = SETTINGS[key];
+  return (
+    Object.entries(when).every(([other, values]) => values.includes(String(settings[other as SettingKey]))) &&
+    looks.some((look) => countsFor(look, key))
+  );
+}
+
+/** Whether a setting has an effect in one look, according to the library's table of properties. */
+function countsFor(look: HatchingLook, key: SettingKey): boolean {
+  const { property, partOf = property, yieldsTo }: Setting = SETTINGS[key];
+  if (yieldsTo && counts(look, yieldsTo)) return false;
+  return partOf === undefined || counts(look, partOf);
+}
+
+/** Whether one of the looks' techniques supports a choice. */
+export function isChoiceKnown(key: SettingKey, value: string, looks: readonly HatchingLook[]): boolean {
+  const { property }: Setting = SETTINGS[key];
+  if (property === undefined) return true;
+  const row = HATCHING_PROPERTIES[property];
+  return looks.some(({ technique }) => knowsChoice(technique as HatchingTechnique, row, value));
+}
+
+/** The unit of a setting's number in the present look; none where the property is a weighted mean of two units. */
+export function presentUnit(key: SettingKey, [look]: readonly HatchingLook[]): string {
+  const setting: Setting = SETTINGS[key];
+  if (setting.kind !== 'number') return '';
+  const { property, unit } = setting;
+  if (property === undefined || !HATCHING_FACTS[property]?.measureOnScreen) return unit;
+  const measure = measureOf(look, property);
+  return measure ? UNITS[measure].name : '';
+}
+
+/** The properties that decide whether a tonal art map is drawn. */
+const DECIDING = ['technique', ...[HATCHING_FACTS.tonalArtMap?.when ?? {}].flat().flatMap(Object.keys)];
+
+/** Whether a setting decides which tonal art map is drawn, or whether one is. */
+export function choosesMap(key: SettingKey): boolean {
+  const { property, partOf = property }: Setting = SETTINGS[key];
+  return key === 'compare' || partOf === 'tonalArtMap' || DECIDING.includes(partOf ?? '');
+}

@@ -1,11 +1,28 @@
-import { acceptSetting } from './acceptSetting.js';
-import type { CameraView } from './CameraView.js';
-import { cameraParts, inSingle, takeCamera } from './cameraNumbers.js';
-import { type ModelChoice, NO_CHOICE } from './ModelChoice.js';
+import {
+  type CameraView,
+  cameraParts,
+  inSingle,
+  MAX_VIEWS,
+  readView,
+  type SavedView,
+  takeCamera,
+  writeView,
+} from './CameraView.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { firstView, presetLook } from './presets.js';
-import { MAX_VIEWS, readView, type SavedView, writeView } from './savedViews.js';
-import { defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
+import { acceptSetting, defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
+
+/** What is selected of a model's file, by indices from 0. */
+export interface ModelChoice {
+  /** Index of the material variant; undefined for the file's default materials. */
+  readonly variant: number | undefined;
+  /** Index of the clip; undefined for the first. */
+  readonly clip: number | undefined;
+}
+
+export const NO_CHOICE: ModelChoice = { variant: undefined, clip: undefined };
+
+export const isSameChoice = (a: ModelChoice, b: ModelChoice): boolean => a.variant === b.variant && a.clip === b.clip;
 
 /** What a link brings back. */
 export interface LinkedDrawing {

@@ -39,7 +39,7 @@ export const command: readonly Mutation[] = [
   },
   {
     name: 'hidden files match a star',
-    file: 'src/command/expandPattern.ts',
+    file: 'src/command/planOutputs.ts',
     find: "(!name.startsWith('.') || step.startsWith('.'))",
     replace: 'true',
     caughtBy: { layer: 'unit', file: 'tests/unit/command/outputs.test.ts', title: '*.stl' },

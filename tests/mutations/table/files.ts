@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const files: readonly Mutation[] = [
   {
     name: 'columns of PLY begin a row late',
-    file: 'src/viewer/files/formats/plyBlocks.ts',
+    file: 'src/viewer/files/formats/plyParts.ts',
     find: 'let offset = numbers.at;',
     replace: 'let offset = numbers.at + rowBytes;',
     caughtBy: {
@@ -14,7 +14,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'a PLY list of shorts counts in bytes',
-    file: 'src/viewer/files/formats/plyHeader.ts',
+    file: 'src/viewer/files/formats/plyParts.ts',
     find: "ushort: 'uint16'",
     replace: "ushort: 'uint8'",
     caughtBy: {
@@ -25,7 +25,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'loops of STL of four corners lose one triangle',
-    file: 'src/viewer/files/formats/readAsciiStl.ts',
+    file: 'src/viewer/files/formats/readStl.ts',
     find: 'triangulatePolygon(loop)',
     replace: 'triangulatePolygon(loop.slice(0, 9))',
     caughtBy: {
@@ -98,7 +98,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'edges in one direction close a mesh',
-    file: 'src/viewer/files/mesh/isClosed.ts',
+    file: 'src/viewer/files/mesh/plainNormals.ts',
     find: '- scatter(b ^ Math.imul(a, 3))) | 0',
     replace: '+ scatter(b ^ Math.imul(a, 3))) | 0',
     caughtBy: {
@@ -109,7 +109,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'a file of no triangles is read',
-    file: 'src/viewer/files/mesh/checkTriangleCount.ts',
+    file: 'src/viewer/files/mesh/PlainMesh.ts',
     find: '!(triangles > 0)',
     replace: '!(triangles >= 0)',
     caughtBy: {
@@ -120,7 +120,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'simplified meshes lose their last vertex',
-    file: 'src/viewer/files/repair/simplifyMesh.ts',
+    file: 'src/viewer/files/mesh/simplifyMesh.ts',
     find: 'numbers[vertex] - 1)',
     replace: 'numbers[vertex])',
     caughtBy: {
@@ -131,7 +131,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'an OBJ file is read without the names of materials after a "#"',
-    file: 'src/viewer/files/formats/cleanObj.ts',
+    file: 'src/viewer/files/formats/readObj.ts',
     find: '(?:v[tn]?|f)[ \\t][^#\\n]*)#.*$/gm',
     replace: '(?:v[tn]?|f|usemtl)[ \\t][^#\\n]*)#.*$/gm',
     caughtBy: {
@@ -142,7 +142,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'big-endian numbers of PLY are read as little-endian ones',
-    file: 'src/viewer/files/formats/plyBlocks.ts',
+    file: 'src/viewer/files/formats/plyParts.ts',
     find: 'target[to] = view.getFloat32(at, isLittle)',
     replace: 'target[to] = view.getFloat32(at, true)',
     caughtBy: {
@@ -175,7 +175,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'a model far away is not brought near',
-    file: 'src/viewer/files/scenes/nearOrigin.ts',
+    file: 'src/viewer/files/scenes/mergeScene.ts',
     find: 'makeTranslation(centre.negate())',
     replace: 'makeTranslation(centre)',
     caughtBy: {
@@ -219,7 +219,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'percent signs in a data URI eat one letter',
-    file: 'src/viewer/files/common/readUri.ts',
+    file: 'src/viewer/files/common/ModelFile.ts',
     find: 'i += 2',
     replace: 'i += 1',
     caughtBy: {
@@ -230,7 +230,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'the name of an object in 3DS ends a byte early',
-    file: 'src/viewer/files/scenes/check3ds.ts',
+    file: 'src/viewer/files/scenes/read3ds.ts',
     find: 'nameEnd + 1;',
     replace: 'nameEnd;',
     caughtBy: {
@@ -252,7 +252,7 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'instances lose the place of their mesh',
-    file: 'src/viewer/files/scenes/placements.ts',
+    file: 'src/viewer/drawing/meshes.ts',
     find: 'matrix.premultiply(mesh.matrixWorld)',
     replace: 'matrix',
     caughtBy: {

@@ -36,7 +36,7 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'the target of the camera is its position',
-    file: 'src/viewer/settings/cameraNumbers.ts',
+    file: 'src/viewer/settings/CameraView.ts',
     find: '{ position: [x, y, z], target: [tx, ty, tz] }',
     replace: '{ position: [tx, ty, tz], target: [tx, ty, tz] }',
     caughtBy: {
@@ -80,7 +80,7 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'numbers of a setting are clamped to the wrong end',
-    file: 'src/viewer/settings/acceptSetting.ts',
+    file: 'src/viewer/settings/settings.ts',
     find: 'Math.min(max, Math.max(min, number))',
     replace: 'Math.max(max, Math.min(min, number))',
     caughtBy: { layer: 'unit', file: 'tests/unit/viewer/settings/acceptSetting.test.ts', title: 'lightAzimuth … -180' },
@@ -111,7 +111,7 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'boldness narrows lines',
-    file: 'src/viewer/settings/withBoldnessAndDensity.ts',
+    file: 'src/viewer/settings/lookOf.ts',
     find: 'settings.strokeWidth * size',
     replace: 'settings.strokeWidth / size',
     caughtBy: {
@@ -122,7 +122,7 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'density brightens',
-    file: 'src/viewer/settings/withBoldnessAndDensity.ts',
+    file: 'src/viewer/settings/lookOf.ts',
     find: 'settings.lightStrength / cover',
     replace: 'settings.lightStrength * cover',
     caughtBy: {
@@ -155,7 +155,7 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'one view more than there are digits is read',
-    file: 'src/viewer/settings/savedViews.ts',
+    file: 'src/viewer/settings/CameraView.ts',
     find: 'MAX_VIEWS = 9',
     replace: 'MAX_VIEWS = 10',
     caughtBy: {
@@ -166,7 +166,7 @@ export const links: readonly Mutation[] = [
   },
   {
     name: 'a view forgets the second light',
-    file: 'src/viewer/settings/savedViews.ts',
+    file: 'src/viewer/settings/CameraView.ts',
     find: "  'secondElevation',\n",
     replace: '',
     caughtBy: {

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const shadows: readonly Mutation[] = [
   {
     name: 'a shadow on the ground ends where a caster beside it would have it',
-    file: 'src/viewer/sceneSetup/fadeOnSheet.ts',
+    file: 'src/viewer/sceneSetup/groundShadow.ts',
     find: 'Math.max(to - sooner, lowest)',
     replace: 'Math.max(2 * to, lowest)',
     caughtBy: {
@@ -14,7 +14,7 @@ export const shadows: readonly Mutation[] = [
   },
   {
     name: 'only corners of triangles cast shadows that end on the sheet',
-    file: 'src/viewer/sceneSetup/castersOf.ts',
+    file: 'src/viewer/sceneSetup/groundShadow.ts',
     find: 'for (let i = 0; parts > 1 && i < parts; i++)',
     replace: 'for (let i = 0; parts > 1 && i < 1; i++)',
     caughtBy: {
@@ -36,7 +36,7 @@ export const shadows: readonly Mutation[] = [
   },
   {
     name: 'points above a lamp cast shadows',
-    file: 'src/viewer/sceneSetup/shadowOnGround.ts',
+    file: 'src/viewer/sceneSetup/groundShadow.ts',
     find: 'if (dy >= 0) continue;',
     replace: '',
     caughtBy: {

@@ -12,8 +12,8 @@ import {
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { UsageError } from '../../../src/command/errors.js';
 import { OutputFolder } from '../../../src/command/OutputFolder.js';
+import { UsageError } from '../../../src/command/readOptions.js';
 
 /** What a call of the file system fails with, if it is to. Root may do anything, and no disk here is full. */
 const fault = vi.hoisted(() => ({

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { ProgressBar } from '../../../src/command/ProgressBar.js';
+import { ProgressBar } from '../../../src/command/standardStreams.js';
 
 /** A stream that keeps what is written. */
 function stream(isTTY: boolean): NodeJS.WriteStream & { written: string[] } {

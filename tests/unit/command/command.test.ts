@@ -6,10 +6,9 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
 import { version } from '../../../package.json';
-import type { DrawingOptions } from '../../../src/command/DrawingOptions.js';
-import type { DrawMessage } from '../../../src/command/DrawThread.js';
 import { drawModel } from '../../../src/command/draw/drawModel.js';
-import { parseDrawing } from '../../../src/command/parseDrawing.js';
+import type { DrawMessage } from '../../../src/command/draw.js';
+import { type DrawingOptions, parseDrawing } from '../../../src/command/parseDrawing.js';
 import { octahedronGlb, octahedronObj, octahedronPly } from '../../../tools/modelFiles/modelFiles.js';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));

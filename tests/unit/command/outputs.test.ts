@@ -12,9 +12,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import { DrawingFiles } from '../../../src/command/DrawingFiles.js';
-import { UsageError } from '../../../src/command/errors.js';
-import { expandPattern } from '../../../src/command/expandPattern.js';
-import { planOutputs } from '../../../src/command/planOutputs.js';
+import { expandPattern, planOutputs } from '../../../src/command/planOutputs.js';
+import { UsageError } from '../../../src/command/readOptions.js';
 
 let work: string;
 beforeEach(() => {

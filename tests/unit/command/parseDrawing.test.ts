@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { UsageError } from '../../../src/command/errors.js';
 import { DRAW_HELP, FORMAT_ENDINGS, parseDrawing, sheetOf } from '../../../src/command/parseDrawing.js';
+import { UsageError } from '../../../src/command/readOptions.js';
 import { FORMATS, MODEL_EXTENSIONS } from '../../../src/viewer/files/formats.js';
 
 const drawing = (...args: string[]) => {

@@ -1,12 +1,11 @@
 import { ClampToEdgeWrapping, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
-import { baseName } from '../common/fileName.js';
+import { toUtf8 } from '../common/AsciiReader.js';
+import { baseName } from '../common/ModelFile.js';
 import type { FindFile } from '../common/Surroundings.js';
-import { toUtf8 } from '../common/toUtf8.js';
-import type { LoadedScene } from '../scenes/LoadedScene.js';
+import { DISPLACEMENT_NOTE, type LoadedScene } from '../scenes/LoadedScene.js';
 import { withoutDocument } from '../scenes/withoutDocument.js';
-import { clampedMaterials, cleanMtl, cleanObj, materialLibraries, namesIn, otherThanFaces } from './cleanObj.js';
 import { writeFaces } from './writeFaces.js';
 
 /** Reads an OBJ file, with the materials of its MTL files if they were dropped along. */
@@ -58,3 +57,133 @@ async function findMaterials(
   }
   return { materials: texts.join('\n'), missing };
 }
+
+/**
+ * Reduces an OBJ file to the lines of triangles that three's loader reads correctly: vertices, faces, smoothing groups and materials.
+ * Otherwise the loader takes words of comments for corners and faces next to lines or points for lines, and takes minutes for many groups.
+ */
+function cleanObj(text: string): string {
+  return withAllColors(
+    withLineFeeds(text)
+      .replace(/\\[ \t]*\n/g, ' ')
+      // Names of materials may contain "#".
+      .replace(/^([ \t]*(?:v[tn]?|f)[ \t][^#\n]*)#.*$/gm, '$1')
+      .replace(/^[ \t]*usemtl[ \t]+/gm, 'usemtl ')
+      // Lines without numbers count too; without them, faces would get the wrong vertices.
+      .replace(/^[ \t]*v[ \t]*$/gm, 'v nan nan nan')
+      .replace(/^[ \t]*(v[tn])[ \t]*$/gm, '$1 0 0 0')
+      .replace(/^(?![ \t]*(?:v[tn]?|f|s)[ \t]|usemtl ).+$/gm, ''),
+  );
+}
+
+/** Makes vertices without a colour white where others have one. Otherwise three's loader assigns colours to the wrong vertices. */
+function withAllColors(text: string): string {
+  if (!/^[ \t]*v(?:[ \t]+\S+){6}/m.test(text)) return text;
+  return withFractions(text).replace(/^([ \t]*v(?:[ \t]+\S+){3})(?:[ \t]+\S+){0,2}[ \t]*$/gm, '$1 1 1 1');
+}
+
+/** Divides integer colours by 255. */
+function withFractions(text: string): string {
+  const colored = /^([ \t]*v(?:[ \t]+\S+){3})[ \t]+(\S+)[ \t]+(\S+)[ \t]+(\S+)/gm;
+  let largest = 0;
+  for (const [, , ...rgb] of text.matchAll(colored)) {
+    if (!rgb.every((value) => /^\d+(?:\.0*)?$/.test(value))) return text;
+    largest = Math.max(largest, ...rgb.map(Number));
+  }
+  if (largest <= 1) return text;
+  return text.replace(colored, (_, point: string, ...rgb: string[]) => {
+    const shares = rgb.slice(0, 3).map((value) => Number(value) / 255);
+    return `${point} ${shares.join(' ')}`;
+  });
+}
+
+/** The names of material files in an OBJ file, line by line. A line may contain several, see {@link namesIn}. */
+function materialLibraries(text: string): string[] {
+  return [...withLineFeeds(text).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*$/gm)].map(([, names]) => names ?? '');
+}
+
+/** Splits the names of a line. They may contain spaces, and end with their extension. */
+function namesIn(line: string): string[] {
+  return line.match(/\S.*?\.mtl(?=\s|$)|\S.*/gi) ?? [];
+}
+
+/** Reduces an MTL file to what hatched surfaces show: colours, colour maps, opacity and cut-outs. */
+function cleanMtl(text: string): string {
+  return (
+    withDissolve(withLineFeeds(text).replace(/^[ \t]*(newmtl|Kd|map_Kd|map_d|d|Tr)[ \t]+/gim, '$1 '))
+      .replace(/^(?!(?:newmtl|Kd|map_Kd|map_d|d) ).+$/gim, '')
+      // A single number is a grey; a spectrum is not supported.
+      .replace(/^Kd ([-+.\de]+)[ \t]*$/gim, 'Kd $1 $1 $1')
+      .replace(/^Kd (?:spectral|xyz).*$/gim, '')
+      .replace(/^(map_\w+) (.*)$/gim, (_, word: string, rest: string) => `${word} ${plainMap(rest)}`)
+  );
+}
+
+/** The names of materials whose pictures are clamped. */
+function clampedMaterials(text: string): Set<string> {
+  const clamped = new Set<string>();
+  let name = '';
+  for (const line of withLineFeeds(text).split('\n')) {
+    const [, material] = /^[ \t]*newmtl[ \t]+(.*?)[ \t]*$/i.exec(line) ?? [];
+    if (material !== undefined) name = material;
+    else if (/^[ \t]*map_Kd[ \t].*-clamp[ \t]+on\b/i.test(line)) clamped.add(name);
+  }
+  return clamped;
+}
+
+const NUMBERS = '(?:[ \\t]+[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[-+]?\\d+)?)';
+/** An option of a map, with up to three numbers or a word, before or after the file name. */
+const OPTION = `-(?:(s|o|t)(${NUMBERS}{1,3})|mm${NUMBERS}{2}|(?:blendu|blendv|boost|bm|cc|clamp|colorspace|imfchan|texres|type)[ \\t]+\\S+)`;
+const OPTION_BEFORE = new RegExp(`^${OPTION}[ \\t]+`, 'i');
+const OPTION_AFTER = new RegExp(`[ \\t]+${OPTION}$`, 'i');
+
+/**
+ * Rewrites a map's options for three's loader: scale and offset with three numbers each, then the file name. The loader takes other options
+ * for a part of the name, and a part of the name for missing numbers.
+ */
+function plainMap(text: string): string {
+  const found = { s: [1, 1, 1], o: [0, 0, 0] };
+  let name = text.trim();
+  for (const pattern of [OPTION_BEFORE, OPTION_AFTER]) {
+    for (let option = pattern.exec(name); option; option = pattern.exec(name)) {
+      name = name.replace(option[0], '');
+      const values = found[option[1]?.toLowerCase() as keyof typeof found];
+      option[2]
+        ?.trim()
+        .split(/[ \t]+/)
+        .forEach((number, i) => {
+          if (values) values[i] = Number(number);
+        });
+    }
+  }
+  name = name.replace(/^"(.*)"$/, '$1');
+  const isPlain = found.s.every((value) => value === 1) && found.o.every((value) => value === 0);
+  return isPlain ? name : `-s ${found.s.join(' ')} -o ${found.o.join(' ')} ${name}`;
+}
+
+/** Notes on the parts of an OBJ file and its materials that are not drawn, such as lines, points and curves. */
+function otherThanFaces(text: string, materials: string): string[] {
+  const notes: string[] = [];
+  if (/^[ \t]*(?:map_)?disp[ \t]+\S/im.test(withLineFeeds(materials))) notes.push(DISPLACEMENT_NOTE);
+  if (/^[ \t]*(?:[lp]|curv2?)[ \t]+[-\d]/m.test(text)) notes.push('points and lines left out');
+  if (/^[ \t]*surf[ \t]/m.test(text)) notes.push('curved surfaces left out');
+  return notes;
+}
+
+/**
+ * Writes the opacity of each material as `d`, at the end of its lines. Some programs write `Tr`, which is the opposite, some write both and
+ * mean `d`, and some write an option before it.
+ */
+const withDissolve = (text: string): string =>
+  text
+    .split(/^(?=newmtl )/im)
+    .map((lines) => {
+      const [, dissolve] = /^d (?:-halo[ \t]+)?([-+.\de]+)/im.exec(lines) ?? [];
+      const [, transparency] = /^Tr ([-+.\de]+)/im.exec(lines) ?? [];
+      const opacity = dissolve === undefined ? 1 - Number(transparency) : Number(dissolve);
+      const rest = lines.replace(/^(?:d|Tr) .*$/gim, '');
+      return Number.isFinite(opacity) ? `${rest}\nd ${Math.min(Math.max(opacity, 0), 1)}\n` : rest;
+    })
+    .join('');
+
+const withLineFeeds = (text: string): string => (text.includes('\r') ? text.replace(/\r\n?/g, '\n') : text);

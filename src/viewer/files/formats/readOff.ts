@@ -1,11 +1,9 @@
 import { AsciiReader } from '../common/AsciiReader.js';
 import { ModelError } from '../common/ModelError.js';
-import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
-import { nearFloats } from '../mesh/nearFloats.js';
-import type { NotedMesh, PlainMesh } from '../mesh/PlainMesh.js';
-import { meanAlpha, rangesByAlpha } from '../mesh/rangesByAlpha.js';
+import { nearFloats } from '../mesh/fitModel.js';
+import { checkReadTriangles, type NotedMesh, type PlainMesh } from '../mesh/PlainMesh.js';
 import { cutPolygons } from '../mesh/triangulatePolygon.js';
-import { linearColors, withFaceColors } from '../mesh/vertexColors.js';
+import { linearColors, meanAlpha, rangesByAlpha, withFaceColors } from '../mesh/vertexColors.js';
 import { GrowingIndices } from './GrowingIndices.js';
 
 /**

@@ -1,15 +1,22 @@
-import { ModelError } from '../common/ModelError.js';
-import { shownName } from '../common/shownText.js';
-import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
-import { nearFloats } from '../mesh/nearFloats.js';
-import type { NotedMesh, PlainMesh } from '../mesh/PlainMesh.js';
-import { meanAlpha, rangesByAlpha } from '../mesh/rangesByAlpha.js';
+import { ModelError, shownName } from '../common/ModelError.js';
+import { nearFloats } from '../mesh/fitModel.js';
+import { checkReadTriangles, type NotedMesh, type PlainMesh } from '../mesh/PlainMesh.js';
 import { cutPolygons } from '../mesh/triangulatePolygon.js';
-import { type FaceColors, linearColors, withFaceColors } from '../mesh/vertexColors.js';
+import { type FaceColors, linearColors, meanAlpha, rangesByAlpha, withFaceColors } from '../mesh/vertexColors.js';
 import { GrowingIndices } from './GrowingIndices.js';
-import { type PlyColumn, readColumns, readTriangles } from './plyBlocks.js';
-import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './plyHeader.js';
-import { BinaryNumbers, leastRowBytes, type PlyNumbers, plyNumbers } from './plyRows.js';
+import {
+  BinaryNumbers,
+  leastRowBytes,
+  type PlyColumn,
+  type PlyElement,
+  type PlyHeader,
+  type PlyNumbers,
+  type PlyProperty,
+  plyNumbers,
+  readColumns,
+  readPlyHeader,
+  readTriangles,
+} from './plyParts.js';
 
 /** Names of the properties that are drawn, in the order position, normal, colour, alpha. */
 const COLUMNS: readonly (readonly string[])[] = [

@@ -1,5 +1,5 @@
 import type { Attribute, DecoderModule } from 'draco3d';
-import { checkReadTriangles } from '../mesh/checkTriangleCount.js';
+import { checkReadTriangles } from '../mesh/PlainMesh.js';
 
 /** The typed array and Draco's name for each glTF component type. */
 const TYPES = {

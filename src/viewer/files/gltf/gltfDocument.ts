@@ -1,5 +1,4 @@
-import { ModelError } from '../common/ModelError.js';
-import { shownName } from '../common/shownText.js';
+import { ModelError, shownName } from '../common/ModelError.js';
 import {
   flag,
   indexIn,

@@ -1,8 +1,6 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { ModelError } from '../common/ModelError.js';
+import { distinctNames, indexOfName, ModelError, shownName } from '../common/ModelError.js';
 import { type FileCamera, type FileLight, type ModelExtras, movedExtras, NO_EXTRAS } from '../common/ModelExtras.js';
-import { distinctNames, indexOfName } from '../common/names.js';
-import { shownName } from '../common/shownText.js';
 import type { ChosenScene } from './chooseScene.js';
 import type { GltfCamera, GltfDocument, GltfLight, GltfNode } from './gltfDocument.js';
 

@@ -1,8 +1,8 @@
-import type { InstancedMesh, Object3D } from 'three';
 import {
   type AnimationClip,
   ClampToEdgeWrapping,
   type Group,
+  type InstancedMesh,
   LinearFilter,
   LinearMipmapLinearFilter,
   LinearMipmapNearestFilter,
@@ -10,6 +10,7 @@ import {
   NearestFilter,
   NearestMipmapLinearFilter,
   NearestMipmapNearestFilter,
+  type Object3D,
   RepeatWrapping,
   Texture,
 } from 'three';
@@ -18,7 +19,7 @@ import { Slices } from '../common/Slices.js';
 import type { DecodedPicture } from '../common/Surroundings.js';
 import { fitWeights } from './GltfGeometry.js';
 import type { GltfSampler } from './gltfDocument.js';
-import type { Picture } from './gltfPictures.js';
+import type { Picture } from './gltfMaterials.js';
 
 /**
  * Gives instanced meshes their morph target influences, which three's loader omits: the renderer throws an error where a geometry has morph

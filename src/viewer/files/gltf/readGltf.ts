@@ -1,11 +1,8 @@
 import { Matrix4 } from 'three';
-import { BITMAPS } from '../common/bitmaps.js';
-import { baseName } from '../common/fileName.js';
-import { ModelError } from '../common/ModelError.js';
+import { counted, ModelError, shownName } from '../common/ModelError.js';
 import { type ModelExtras, movedExtras } from '../common/ModelExtras.js';
-import { readUri } from '../common/readUri.js';
-import type { FindFile, Surroundings } from '../common/Surroundings.js';
-import { counted, shownName } from '../common/shownText.js';
+import { baseName, readUri } from '../common/ModelFile.js';
+import { BITMAPS, type FindFile, type Surroundings } from '../common/Surroundings.js';
 import type { PlainMesh } from '../mesh/PlainMesh.js';
 import { mergeScene } from '../scenes/mergeScene.js';
 import { type ChosenScene, chooseScene } from './chooseScene.js';
@@ -13,8 +10,7 @@ import type { DracoSource } from './GltfGeometry.js';
 import { type AccessorValues, GltfValues } from './GltfValues.js';
 import { type GltfDocument, readGltfDocument } from './gltfDocument.js';
 import { gltfExtras, useVariant } from './gltfExtras.js';
-import { drawnMaterials, textureSource } from './gltfMaterials.js';
-import { collectPictures } from './gltfPictures.js';
+import { collectPictures, drawnMaterials, textureSource } from './gltfMaterials.js';
 import { type GltfParts, parseGltf } from './parseGltf.js';
 import { dracoSource, type PlainGltf, unpackGltf } from './unpackGltf.js';
 

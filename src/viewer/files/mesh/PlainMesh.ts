@@ -1,3 +1,5 @@
+import { ModelError } from '../common/ModelError.js';
+
 /** A triangle mesh as typed arrays, which a worker can transfer without a copy. */
 export interface PlainMesh {
   /** Three components per vertex. */
@@ -39,4 +41,99 @@ export function triangleCount(mesh: PlainMesh): number {
 export function meshBuffers(mesh: PlainMesh): ArrayBuffer[] {
   const arrays = [mesh.positions, mesh.normals, mesh.colors, mesh.indices, mesh.uvs];
   return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
+}
+
+/** The lowest and highest value of each coordinate. Without points, `low` is Infinity and `high` is -Infinity. */
+interface Bounds {
+  low: [x: number, y: number, z: number];
+  high: [x: number, y: number, z: number];
+}
+
+/** The bounds of points, given as xyz. */
+export function boundsOf(positions: ArrayLike<number>): Bounds {
+  const low: Bounds['low'] = [Infinity, Infinity, Infinity];
+  const high: Bounds['high'] = [-Infinity, -Infinity, -Infinity];
+  for (let axis = 0; axis < 3; axis++) {
+    let least = Infinity;
+    let largest = -Infinity;
+    for (let i = axis; i < positions.length; i += 3) {
+      const value = positions[i];
+      if (value < least) least = value;
+      if (value > largest) largest = value;
+    }
+    low[axis] = least;
+    high[axis] = largest;
+  }
+  return { low, high };
+}
+
+/** Bytes per triangle while a mesh is read: vertices, corners, and the room in which their arrays grow. */
+const BYTES_PER_READ_TRIANGLE = 50;
+/** The memory that a page can get for one model, besides the copies held while it is read and baked, in bytes. */
+const MAX_BYTES = 2 ** 30;
+/** Bytes per triangle of a large baked mesh: layout `pull`, with normals, colours and line data. Measured on a million triangles. */
+const BYTES_PER_TRIANGLE = 205;
+/** Rounded, since messages show it. */
+const MAX_TRIANGLES = Math.floor(MAX_BYTES / BYTES_PER_TRIANGLE / 1e5) * 1e5;
+
+/** Whether memory suffices to draw this many triangles. */
+export const canDraw = (triangles: number): boolean => triangles <= MAX_TRIANGLES;
+
+const MAX_READ_TRIANGLES = Math.floor(MAX_BYTES / BYTES_PER_READ_TRIANGLE / 1e6) * 1e6;
+
+/** @throws ModelError if there are no triangles, or more than can be read before simplification */
+export const checkReadTriangles = (triangles: number): void => checkCount(triangles, MAX_READ_TRIANGLES);
+
+/** @throws ModelError if there are no triangles, or more than can be drawn */
+export const checkTriangleCount = (triangles: number): void => checkCount(triangles, MAX_TRIANGLES);
+
+function checkCount(triangles: number, most: number): void {
+  if (!(triangles > 0)) {
+    throw new ModelError('The file holds no triangles; only surfaces can be hatched, not points or lines.');
+  }
+  if (triangles > most) {
+    throw new ModelError(
+      `The model has more than ${most.toLocaleString('en')} triangles, for which a page has no memory.`,
+    );
+  }
+}
+
+/** Whether the total area of triangles is below a limit. Stops early for most meshes. */
+function isAreaLess(positions: ArrayLike<number>, indices: ArrayLike<number> | null, least: number): boolean {
+  let sum = 0;
+  const count = indices?.length ?? positions.length / 3;
+  for (let corner = 0; corner + 2 < count && sum < least; corner += 3) {
+    const [a, b, c] = [corner, corner + 1, corner + 2].map((at) => 3 * (indices ? indices[at] : at));
+    sum += areaOf(positions, a, b, c);
+  }
+  return sum < least;
+}
+
+/** The area of a triangle. @param a offset of the first corner's coordinates, likewise `b` and `c` */
+export function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {
+  const ux = positions[b] - positions[a];
+  const uy = positions[b + 1] - positions[a + 1];
+  const uz = positions[b + 2] - positions[a + 2];
+  const vx = positions[c] - positions[a];
+  const vy = positions[c + 1] - positions[a + 1];
+  const vz = positions[c + 2] - positions[a + 2];
+  const x = uy * vz - uz * vy;
+  const y = uz * vx - ux * vz;
+  const z = ux * vy - uy * vx;
+  // Math.hypot takes several times as long.
+  return Math.sqrt(x * x + y * y + z * z) / 2;
+}
+
+/** A model of radius 1 with less surface area than this is thinner than a pixel everywhere. */
+const LEAST_AREA = 0.002;
+
+/**
+ * A note for a model of radius 1 whose triangles are slivers or dust that strokes cannot show.
+ *
+ * @param positions xyz of each vertex
+ * @param indices three per triangle, or null if every three vertices make one
+ * @param share of all triangles that these are
+ */
+export function thinNote(positions: ArrayLike<number>, indices: ArrayLike<number> | null, share = 1): string[] {
+  return isAreaLess(positions, indices, LEAST_AREA * share) ? ['its triangles are too thin to be hatched'] : [];
 }

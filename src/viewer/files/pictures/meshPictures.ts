@@ -1,13 +1,38 @@
 import type { Texture, Wrapping } from 'three';
-import { baseName, extensionOf } from '../common/fileName.js';
-import { readUri } from '../common/readUri.js';
-import type { DecodedPicture, FindFile, Surroundings } from '../common/Surroundings.js';
-import { shownName } from '../common/shownText.js';
-import { alphaOf, isHalfThere, isOpaque, pixelsOf } from './alphaOf.js';
-import { fitPictures, type PictureSize, PixelBudget } from './fitPictures.js';
-import { imageSize } from './imageSize.js';
-import { decodeTga, tgaSize } from './tgaPicture.js';
-import type { PictureLink, WantedPicture } from './WantedPicture.js';
+import { shownName } from '../common/ModelError.js';
+import { baseName, extensionOf, readUri } from '../common/ModelFile.js';
+import type { DecodedPicture, FindFile, PixelPicture, Surroundings } from '../common/Surroundings.js';
+import {
+  alphaOf,
+  fitPictures,
+  imageSize,
+  isHalfThere,
+  isOpaque,
+  type PictureSize,
+  PixelBudget,
+  pixelsOf,
+} from './imageSize.js';
+
+/** A picture needed by a merged mesh. */
+export interface WantedPicture {
+  /** Its image is a {@link PictureLink}. */
+  texture: Texture;
+  /** A separate alpha map: lightness is alpha, or darkness where `userData.isInverted` is set. Its image is a {@link PictureLink}, too. */
+  mask?: Texture | undefined;
+  /** The alpha below which the surface is cut out; 0 without a cut-out. */
+  cutOut: number;
+  /** Whether the surface is blended; if its picture is mostly half-transparent, it becomes see-through. */
+  isBlended?: boolean;
+}
+
+/** The image of a texture before loading: the location of the picture. */
+export interface PictureLink {
+  url: string;
+  /** The picture itself, if it is embedded in the model. */
+  content?: Blob | undefined;
+  width: number;
+  height: number;
+}
 
 /** A mask with a lower mean alpha uses alpha as mask. */
 const OPAQUE = 0.99;
@@ -51,7 +76,7 @@ export interface MeshPicture {
 const NAMED = 2;
 
 /** The pictures of a mesh, by index in its ranges, and what is missing. */
-export interface MeshPictures {
+interface MeshPictures {
   pictures: (MeshPicture | undefined)[];
   /** Indices of see-through pictures. */
   clear: ReadonlySet<number>;
@@ -182,3 +207,50 @@ async function decode(
   const content = isTga ? await decodeTga(bytes) : new Blob([bytes as Uint8Array<ArrayBuffer>]);
   return decodePicture(content, { width, height, flipY });
 }
+
+const HEADER_BYTES = 18;
+/** Image types from this one on are run-length encoded. */
+const FIRST_PACKED = 9;
+
+/** Width and height from the header of a TGA file, which has no signature. */
+export function tgaSize(bytes: Uint8Array): [width: number, height: number] | undefined {
+  if (bytes.length < HEADER_BYTES) return undefined;
+  const view = viewOf(bytes);
+  return [view.getUint16(12, true), view.getUint16(14, true)];
+}
+
+/**
+ * Decodes TGA, which older programs write and browsers do not decode.
+ *
+ * @throws Error if the file is truncated
+ */
+export async function decodeTga(bytes: Uint8Array): Promise<Omit<PixelPicture, 'close'>> {
+  if (!isWhole(bytes)) throw new Error('TGA: cut short');
+  const { TGALoader } = await import('three/addons/loaders/TGALoader.js');
+  const { data, width, height } = new TGALoader().parse(bytes.slice().buffer) as {
+    data: Uint8Array;
+    width: number;
+    height: number;
+  };
+  return { data: new Uint8ClampedArray(data), width, height };
+}
+
+/** Whether a file contains all its pixels. The loader would make missing ones black. */
+function isWhole(bytes: Uint8Array): boolean {
+  const [width, height] = tgaSize(bytes) ?? [0, 0];
+  const [idBytes, hasPalette, type] = bytes;
+  const bytesOf = (bits: number): number => Math.ceil(bits / 8);
+  const paletteBytes = hasPalette ? viewOf(bytes).getUint16(5, true) * bytesOf(bytes[7]) : 0;
+  const pixelBytes = bytesOf(bytes[16]);
+  let at = HEADER_BYTES + idBytes + paletteBytes;
+  let left = width * height;
+  if (type < FIRST_PACKED) return at + left * pixelBytes <= bytes.length;
+  while (left > 0 && at < bytes.length) {
+    const count = (bytes[at] & 0x7f) + 1;
+    at += 1 + (bytes[at] & 0x80 ? 1 : count) * pixelBytes;
+    left -= count;
+  }
+  return left <= 0 && at <= bytes.length;
+}
+
+const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

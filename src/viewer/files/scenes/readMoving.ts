@@ -17,8 +17,8 @@ import {
   type SkinnedMesh,
   type Texture,
 } from 'three';
-import { baseName } from '../common/fileName.js';
 import { ModelError } from '../common/ModelError.js';
+import { baseName } from '../common/ModelFile.js';
 import type { FindFile } from '../common/Surroundings.js';
 import { chooseScene } from '../gltf/chooseScene.js';
 import type { DracoSource } from '../gltf/GltfGeometry.js';
@@ -31,8 +31,8 @@ import type {
   GltfTextureUse,
 } from '../gltf/gltfDocument.js';
 import { type ReadGltf, readParts } from '../gltf/readGltf.js';
-import { farCentre } from '../mesh/nearFloats.js';
-import type { PictureLink } from '../pictures/WantedPicture.js';
+import { farCentre } from '../mesh/fitModel.js';
+import type { PictureLink } from '../pictures/meshPictures.js';
 
 const noDraco: DracoSource = () => Promise.reject(new ModelError('A scene has nothing packed with Draco.'));
 

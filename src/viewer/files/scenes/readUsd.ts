@@ -1,8 +1,8 @@
+import type { BufferGeometry, Mesh } from 'three';
 import { USDLoader } from 'three/addons/loaders/USDLoader.js';
-import { type LoadedScene, sceneOf } from './LoadedScene.js';
+import { DISPLACEMENT_NOTE, type LoadedScene, sceneOf } from './LoadedScene.js';
 import { mendFans } from './mendFans.js';
-import { mendUsd, plainUsda, type UsdComposer } from './mendUsd.js';
-import { withoutDocument } from './withoutDocument.js';
+import { replace, withoutDocument } from './withoutDocument.js';
 
 const SIGNATURE = '#usda';
 
@@ -29,4 +29,141 @@ async function mendComposer(notes: Set<string>): Promise<() => void> {
   } catch {
     return () => {};
   }
+}
+
+/** A spec of a USD layer: a prim, or a property of one. */
+interface Spec {
+  specType: number;
+  fields?: {
+    typeName?: string;
+    default?: unknown;
+    active?: boolean;
+    connectionPaths?: string[];
+    references?: unknown[];
+  };
+}
+
+type Specs = Record<string, Spec>;
+
+/** The used members of three's USD composer, which has no types. */
+interface UsdComposer {
+  compose(data: { specsByPath: Specs }, ...others: unknown[]): unknown;
+  _buildMesh(path: string, spec: Spec): Mesh;
+  _computeVertexNormals(points: ArrayLike<number>): Float32Array;
+  _getAttributes(path: string): Record<string, unknown>;
+  _getGeomSubsets(path: string): Subset[];
+  _getMaterialBindingTarget(path: string): string | null;
+  _getReferences(spec: Spec): string[];
+  _resolveReference(reference: string, ...others: unknown[]): unknown;
+}
+
+/** Faces of a mesh with their own material. */
+interface Subset {
+  name: string;
+  indices: ArrayLike<number>;
+  materialPath: string | null;
+}
+
+const PRIM = 6;
+const RGB = 3;
+const LINES = ['BasisCurves', 'HermiteCurves', 'NurbsCurves', 'Points'];
+/** Prims that are not drawn, and their notes for the caption. */
+const LEFT_OUT: Readonly<Record<string, string>> = {
+  ...Object.fromEntries(LINES.map((name) => [name, 'points and lines left out'])),
+  NurbsPatch: 'curved surfaces left out',
+  TetMesh: 'tetrahedra left out',
+  Plane: 'planes left out',
+  PointInstancer: 'instances left out',
+};
+
+/**
+ * Patches three's USD composer where it misreads files: it shows invisible and proxy prims, turns left-handed meshes inside out, and drops
+ * faces outside of all subsets. Meshes without normals get zeros, so that normals are computed later with creases kept.
+ *
+ * @param notes receives notes for the caption
+ * @returns a function that removes the patch
+ */
+function mendUsd(prototype: UsdComposer, notes: Set<string>): () => void {
+  const { compose, _buildMesh, _getGeomSubsets, _getReferences, _resolveReference } = prototype;
+  return replace(prototype, {
+    _computeVertexNormals: (points: ArrayLike<number>) => new Float32Array(points.length),
+    compose(this: UsdComposer, data: { specsByPath: Specs }, ...others: unknown[]): unknown {
+      dropHidden(data.specsByPath);
+      for (const [path, spec] of Object.entries(data.specsByPath)) noteOn(path, spec, notes);
+      return compose.call(this, data, ...others);
+    },
+    _buildMesh(this: UsdComposer, path: string, spec: Spec): Mesh {
+      const mesh = _buildMesh.call(this, path, spec);
+      const { orientation, 'primvars:displayColor': colors } = this._getAttributes(path);
+      if (orientation === 'leftHanded') turnTriangles(mesh.geometry);
+      if (((colors as ArrayLike<number> | undefined)?.length ?? 0) > RGB)
+        notes.add('colours of single faces and points left out');
+      return mesh;
+    },
+    _getReferences(this: UsdComposer, spec: Spec): string[] {
+      const found = _getReferences.call(this, spec);
+      if (found.length === 0 && spec.fields?.references?.length) notes.add('repeated parts left out');
+      return found;
+    },
+    _resolveReference(this: UsdComposer, reference: string, ...others: unknown[]): unknown {
+      const found = _resolveReference.call(this, reference, ...others);
+      if (!found) notes.add('parts in other files left out');
+      return found;
+    },
+    _getGeomSubsets(this: UsdComposer, path: string): Subset[] {
+      const subsets = _getGeomSubsets.call(this, path).filter(({ materialPath }) => materialPath);
+      if (subsets.length === 0) return [];
+      const { faceVertexCounts } = this._getAttributes(path);
+      const isNamed = new Uint8Array((faceVertexCounts as ArrayLike<number> | undefined)?.length ?? 0);
+      for (const { indices } of subsets) for (let i = 0; i < indices.length; i++) isNamed[indices[i]] = 1;
+      const indices = [...isNamed.keys()].filter((face) => isNamed[face] === 0);
+      const rest = { name: '', indices, materialPath: this._getMaterialBindingTarget(path) };
+      return indices.length > 0 ? [...subsets, rest] : subsets;
+    },
+  });
+}
+
+/** Rewrites a USD text for three's parser: inactive prims become `over`, and references are written as `prepend references`. */
+const plainUsda = (text: string): string =>
+  text
+    .replace(/\bdef((?:\s+\w+)?\s+"[^"]*"\s*\([^)]*\bactive\s*=\s*false\b)/g, 'over$1')
+    .replace(/\b(?:(?:prepend|append|add)\s+)?references(\s*=)/g, 'prepend references$1');
+
+/** Removes invisible and inactive prims, guides and proxies, with all below them. */
+function dropHidden(specs: Specs): void {
+  const prims = Object.entries(specs).filter(([, { specType }]) => specType === PRIM);
+  const given = (path: string, name: string): unknown => specs[`${path}.${name}`]?.fields?.default;
+  const isRendered = prims.some(([path]) => given(path, 'purpose') === 'render');
+  const hidden = new Set<string>();
+  for (const [path, { fields }] of prims) {
+    const purpose = given(path, 'purpose');
+    const isLeftOut = purpose === 'guide' || (purpose === 'proxy' && isRendered);
+    if (isLeftOut || given(path, 'visibility') === 'invisible' || fields?.active === false) hidden.add(path);
+  }
+  if (hidden.size === 0) return;
+  for (const path of Object.keys(specs)) {
+    const [prim] = path.split('.');
+    const parts = prim.split('/');
+    if (parts.some((_, i) => hidden.has(parts.slice(0, i + 1).join('/')))) delete specs[path];
+  }
+}
+
+function noteOn(path: string, { specType, fields = {} }: Spec, notes: Set<string>): void {
+  const { typeName = '' } = fields;
+  // The form in which three's text parser returns variants.
+  const note = specType === PRIM ? LEFT_OUT[typeName] : typeName === 'variantSet' ? 'variants left out' : undefined;
+  if (note) notes.add(note);
+  const isMoved = fields.connectionPaths?.length || Number(fields.default) > 0;
+  if (path.endsWith('.inputs:displacement') && isMoved) notes.add(DISPLACEMENT_NOTE);
+}
+
+/** Reverses the triangles of a geometry. */
+function turnTriangles(geometry: BufferGeometry): void {
+  const { index } = geometry;
+  const count = index?.count ?? geometry.getAttribute('position').count;
+  const turned = Array.from({ length: count - (count % 3) }, (_, corner) => {
+    const from = corner - (corner % 3) + [0, 2, 1][corner % 3];
+    return index?.getX(from) ?? from;
+  });
+  geometry.setIndex(turned);
 }

@@ -1,5 +1,5 @@
 import type { BufferAttribute, Material, Mesh, Object3D, Texture } from 'three';
-import { LEAST, MOST } from '../mesh/rangesByAlpha.js';
+import { LEAST, MOST } from '../mesh/vertexColors.js';
 
 /** The largest loss of opacity by transmission: clear glass still counts as visible. */
 export const TRANSMITTED = 0.8;

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
+import { fitMemory, memoryHere, mostTriangles } from '../../../../src/command/draw/drawModel.js';
 import { failure } from '../../../../src/command/draw/failure.js';
-import { fitMemory, memoryHere, mostTriangles } from '../../../../src/command/draw/fitMemory.js';
 import type { ReadMesh } from '../../../../src/viewer/files/readModel.js';
 import { scannedTorus } from '../../../../tools/bench/detail/scannedTorus.mjs';
 

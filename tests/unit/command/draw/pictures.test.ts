@@ -1,8 +1,7 @@
 import { deflateSync } from 'node:zlib';
 import { PNG } from 'pngjs';
 import { describe, expect, test } from 'vitest';
-import { decodePicture, UndecodedError } from '../../../../src/command/draw/decodePicture.js';
-import { fitPixels } from '../../../../src/command/draw/NodeSurroundings.js';
+import { decodePicture, fitPixels, UndecodedError } from '../../../../src/command/draw/NodeSurroundings.js';
 import { PNG_SIGNATURE, pngChunk } from '../../../../src/strokes/mapFiles/pngFormat.js';
 
 /** A picture in which every value differs from its neighbours. */

@@ -11,7 +11,7 @@ import { presets } from '../../../../src/scene/presets.js';
 import { parameterSetter } from '../../../../src/viewer/drawing/materials.js';
 import { LightRig } from '../../../../src/viewer/sceneSetup/LightRig.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
-import { outlineLook } from '../../../../src/viewer/settings/outlineLook.js';
+import { outlineLook } from '../../../../src/viewer/settings/materialLook.js';
 import { PRESET_NAMES } from '../../../../src/viewer/settings/presetLabels.js';
 import { presetLook } from '../../../../src/viewer/settings/presets.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';

@@ -7,8 +7,8 @@ import { BUILT_IN_MODELS, type BuiltInModel } from '../../../../src/playground/m
 import { View } from '../../../../src/playground/viewport/View.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
 import { NO_EXTRAS } from '../../../../src/viewer/files/common/ModelExtras.js';
+import { shadowOnGround } from '../../../../src/viewer/sceneSetup/groundShadow.js';
 import { createCamera, DEFAULT_VIEW } from '../../../../src/viewer/sceneSetup/LensCamera.js';
-import { shadowOnGround } from '../../../../src/viewer/sceneSetup/shadowOnGround.js';
 import { GALLERY } from '../../../../src/viewer/settings/gallery.js';
 import { type Look, lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';

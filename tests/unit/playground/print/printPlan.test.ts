@@ -10,7 +10,7 @@ import {
   strokeScale,
   toMillimetres,
 } from '../../../../src/playground/print/printPlan.js';
-import { strokeShare } from '../../../../src/viewer/sceneSetup/strokeShare.js';
+import { strokeShare } from '../../../../src/viewer/sceneSetup/framing.js';
 import { defaultSettings, SETTINGS, type Settings } from '../../../../src/viewer/settings/settings.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });

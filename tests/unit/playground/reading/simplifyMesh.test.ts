@@ -9,11 +9,10 @@ import {
   withoutHeavyPictures,
 } from '../../../../src/playground/reading/readLarge.js';
 import { clusterMesh } from '../../../../src/viewer/files/mesh/clusterMesh.js';
-import { isClosed } from '../../../../src/viewer/files/mesh/isClosed.js';
 import type { PlainMesh } from '../../../../src/viewer/files/mesh/PlainMesh.js';
-import { needsCoarse, plainNormals } from '../../../../src/viewer/files/mesh/plainNormals.js';
+import { isClosed, needsCoarse, plainNormals } from '../../../../src/viewer/files/mesh/plainNormals.js';
+import { simplifyMesh } from '../../../../src/viewer/files/mesh/simplifyMesh.js';
 import type { ReadMesh } from '../../../../src/viewer/files/readModel.js';
-import { simplifyMesh } from '../../../../src/viewer/files/repair/simplifyMesh.js';
 import { scannedTorus } from '../../../../tools/bench/detail/scannedTorus.mjs';
 import { distanceFrom } from './distanceFrom.js';
 

@@ -1,8 +1,7 @@
 import { expect, test, vi } from 'vitest';
-import { freeName, SavedViews } from '../../../../src/playground/savedLooks/SavedViews.js';
-import type { CameraView } from '../../../../src/viewer/settings/CameraView.js';
+import { SavedViews, freeName } from '../../../../src/playground/savedLooks/SavedViews.js';
+import { type CameraView, MAX_VIEWS } from '../../../../src/viewer/settings/CameraView.js';
 import type { Look } from '../../../../src/viewer/settings/lookOf.js';
-import { MAX_VIEWS } from '../../../../src/viewer/settings/savedViews.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 
 const NEAR: CameraView = { position: [0, 0, 2], target: [0, 0, 0] };

@@ -2,8 +2,8 @@ import { beforeEach, expect, test, vi } from 'vitest';
 import { askToFetch } from '../../../../src/playground/loading/ask.js';
 import { LinkFollower } from '../../../../src/playground/session/LinkFollower.js';
 import type { ModelFile } from '../../../../src/viewer/files/common/ModelFile.js';
-import { type ModelChoice, NO_CHOICE } from '../../../../src/viewer/settings/ModelChoice.js';
 import type { Settings } from '../../../../src/viewer/settings/settings.js';
+import { type ModelChoice, NO_CHOICE } from '../../../../src/viewer/settings/shareLink.js';
 
 vi.mock('../../../../src/playground/loading/ask.js', () => ({ askToFetch: vi.fn() }));
 

@@ -2,8 +2,8 @@ import { beforeEach, expect, test, vi } from 'vitest';
 import type { ModelEnd, OpenedModel } from '../../../../src/playground/loading/ModelLoader.js';
 import { Session } from '../../../../src/playground/session/Session.js';
 import type { Look } from '../../../../src/viewer/settings/lookOf.js';
-import type { ModelChoice } from '../../../../src/viewer/settings/ModelChoice.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
+import type { ModelChoice } from '../../../../src/viewer/settings/shareLink.js';
 
 type OnModel = (end: ModelEnd, opened?: OpenedModel) => void;
 

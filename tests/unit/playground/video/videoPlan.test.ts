@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { placeOnFrame, planVideo, poseOf, stampOf } from '../../../../src/playground/video/videoPlan.js';
-import { strokeShare } from '../../../../src/viewer/sceneSetup/strokeShare.js';
+import { strokeShare } from '../../../../src/viewer/sceneSetup/framing.js';
 import { defaultSettings, SETTINGS, type Settings } from '../../../../src/viewer/settings/settings.js';
 
 const settings = (changes: Partial<Settings>): Settings => ({ ...defaultSettings(), ...changes });

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 import { bakeOcclusion } from 'three-hatching';
 import { expect, test } from 'vitest';
-import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
 import { modelOfMesh } from '../../../../src/viewer/drawing/modelOfMesh.js';
 import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
 import { bakeModelOcclusion } from '../../../../tools/building/bakeModelOcclusion.js';

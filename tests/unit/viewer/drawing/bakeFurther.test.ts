@@ -10,7 +10,7 @@ import {
 import { describe, expect, test } from 'vitest';
 import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { bakeFurther } from '../../../../src/viewer/drawing/bakeFurther.js';
-import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
 import { modelOfMesh } from '../../../../src/viewer/drawing/modelOfMesh.js';
 import { modelOfScene } from '../../../../src/viewer/drawing/modelOfScene.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';

@@ -1,7 +1,7 @@
 import { Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
-import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { addTrack, type GltfBuilder, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 

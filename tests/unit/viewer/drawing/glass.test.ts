@@ -4,7 +4,7 @@ import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../../../src/viewer/drawing/HatchedModel.js';
-import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';

@@ -12,7 +12,7 @@ import {
 import { describe, expect, test } from 'vitest';
 import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
-import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
 import { modelOfMesh } from '../../../../src/viewer/drawing/modelOfMesh.js';
 import { modelOfScene } from '../../../../src/viewer/drawing/modelOfScene.js';
 import { type Look, lookOf } from '../../../../src/viewer/settings/lookOf.js';

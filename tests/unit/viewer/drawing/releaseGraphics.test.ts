@@ -14,7 +14,7 @@ import {
 } from 'three';
 import { HatchingMaterial } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
-import { freeGraphics, releaseGraphics, releaseMaterial } from '../../../../src/viewer/drawing/releaseGraphics.js';
+import { freeGraphics, releaseGraphics, releaseMaterial } from '../../../../src/viewer/drawing/materials.js';
 
 /** The names of those that were told to dispose of what they have. */
 function watch(things: Record<string, { addEventListener(type: 'dispose', listener: () => void): void }>): string[] {

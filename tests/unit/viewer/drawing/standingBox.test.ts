@@ -10,7 +10,7 @@ import {
 } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
-import { carryingBox, standingBox } from '../../../../src/viewer/drawing/standingBox.js';
+import { carryingBox, standingBox } from '../../../../src/viewer/drawing/meshes.js';
 
 /** A box of a height on another height. */
 function boxAt(y: number, height: number, material = new MeshStandardMaterial()): Mesh {

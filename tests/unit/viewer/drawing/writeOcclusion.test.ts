@@ -2,7 +2,7 @@ import { IcosahedronGeometry, type Mesh } from 'three';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { expect, test } from 'vitest';
 import { bakeMesh } from '../../../../src/viewer/drawing/bakeMesh.js';
-import { meshesOf } from '../../../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
 import { modelOfMesh, writeOcclusion } from '../../../../src/viewer/drawing/modelOfMesh.js';
 import type { PlainMesh } from '../../../../src/viewer/files/mesh/PlainMesh.js';
 

@@ -1,10 +1,9 @@
 import { BoxGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial } from 'three';
 import { describe, expect, test } from 'vitest';
-import { ModelError, toModelError } from '../../../../src/viewer/files/common/ModelError.js';
-import { shownText } from '../../../../src/viewer/files/common/shownText.js';
+import { ModelError, shownText, toModelError } from '../../../../src/viewer/files/common/ModelError.js';
+import { cleanMesh } from '../../../../src/viewer/files/mesh/cleanMesh.js';
 import { fitModel } from '../../../../src/viewer/files/mesh/fitModel.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
-import { cleanMesh } from '../../../../src/viewer/files/repair/cleanMesh.js';
 import { mergeScene } from '../../../../src/viewer/files/scenes/mergeScene.js';
 
 describe('the sentence of an error', () => {

@@ -1,6 +1,6 @@
 import { BoxGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
-import { castersOf } from '../../../../src/viewer/sceneSetup/castersOf.js';
+import { castersOf } from '../../../../src/viewer/sceneSetup/groundShadow.js';
 
 const box = (size: readonly [number, number, number], parameters = {}): Mesh =>
   new Mesh(new BoxGeometry(...size), new MeshBasicMaterial(parameters));

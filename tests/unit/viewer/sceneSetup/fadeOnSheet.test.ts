@@ -11,10 +11,14 @@ import {
   Vector3,
 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { castersOf } from '../../../../src/viewer/sceneSetup/castersOf.js';
-import { fadeOnSheet, type GroundLight, type SheetPart } from '../../../../src/viewer/sceneSetup/fadeOnSheet.js';
 import { fitCamera } from '../../../../src/viewer/sceneSetup/framing.js';
-import { shadowOnGround } from '../../../../src/viewer/sceneSetup/shadowOnGround.js';
+import {
+  castersOf,
+  fadeOnSheet,
+  type GroundLight,
+  type SheetPart,
+  shadowOnGround,
+} from '../../../../src/viewer/sceneSetup/groundShadow.js';
 
 /** The width that the camera of a shadow sees. */
 const WIDTH = 2.1;

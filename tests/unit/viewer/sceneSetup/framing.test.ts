@@ -1,8 +1,8 @@
 import { type PerspectiveCamera, TorusKnotGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { fitCamera, proportionOf } from '../../../../src/viewer/sceneSetup/framing.js';
+import { shadowOnGround } from '../../../../src/viewer/sceneSetup/groundShadow.js';
 import { createCamera } from '../../../../src/viewer/sceneSetup/LensCamera.js';
-import { shadowOnGround } from '../../../../src/viewer/sceneSetup/shadowOnGround.js';
 
 const FILL = 0.7;
 const VIEW = new Vector3(0.6, 0.4, 1);

@@ -1,10 +1,9 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { FileCamera, FileLight } from '../../../../src/viewer/files/common/ModelExtras.js';
-import { lightsOfFile } from '../../../../src/viewer/sceneSetup/lightsOfFile.js';
+import { lightsOfFile, viewsOfFile } from '../../../../src/viewer/sceneSetup/ofFile.js';
 import { cameraOfFile, linkedCamera } from '../../../../src/viewer/sceneSetup/placeCamera.js';
-import { viewsOfFile } from '../../../../src/viewer/sceneSetup/viewsOfFile.js';
-import { lightOf, MAX_VIEWS, readView, writeView } from '../../../../src/viewer/settings/savedViews.js';
+import { lightOf, MAX_VIEWS, readView, writeView } from '../../../../src/viewer/settings/CameraView.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
 

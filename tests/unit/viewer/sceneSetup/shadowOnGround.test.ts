@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { shadowOnGround } from '../../../../src/viewer/sceneSetup/shadowOnGround.js';
+import { shadowOnGround } from '../../../../src/viewer/sceneSetup/groundShadow.js';
 
 const expectPoints = (points: number[], expected: number[]): void => {
   expect(points).toHaveLength(expected.length);

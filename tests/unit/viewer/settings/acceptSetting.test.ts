@@ -1,7 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { acceptSetting } from '../../../../src/viewer/settings/acceptSetting.js';
-import { SETTING_KEYS, SETTINGS, type SettingKey } from '../../../../src/viewer/settings/settings.js';
+import { acceptSetting, SETTING_KEYS, SETTINGS, type SettingKey } from '../../../../src/viewer/settings/settings.js';
 import { readLink } from '../../../../src/viewer/settings/shareLink.js';
 import type { Setting } from '../../../../src/viewer/settings/table/rows.js';
 

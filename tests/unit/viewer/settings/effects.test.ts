@@ -1,5 +1,4 @@
 import { describe, expect, test } from 'vitest';
-import { choosesMap, hasEffect, isChoiceKnown, presentUnit } from '../../../../src/viewer/settings/effects.js';
 import {
   defaultSettings,
   SETTING_KEYS,
@@ -7,7 +6,13 @@ import {
   type SettingKey,
   type Settings,
 } from '../../../../src/viewer/settings/settings.js';
-import { looksOf } from '../../../../src/viewer/settings/settingValues.js';
+import {
+  choosesMap,
+  hasEffect,
+  isChoiceKnown,
+  looksOf,
+  presentUnit,
+} from '../../../../src/viewer/settings/settingValues.js';
 import type { Setting } from '../../../../src/viewer/settings/table/rows.js';
 
 const used = (key: SettingKey, changes: Partial<Settings>): boolean =>

@@ -2,10 +2,9 @@ import { expect, test } from 'vitest';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { drawSwatches } from '../../../../src/strokes/hands/drawSwatch.js';
 import { exampleHabits } from '../../../../src/strokes/hands/exampleHabits.js';
-import { acceptSetting } from '../../../../src/viewer/settings/acceptSetting.js';
 import { handLook, linesOfHand, lookWithoutHand } from '../../../../src/viewer/settings/handLook.js';
 import { firstView } from '../../../../src/viewer/settings/presets.js';
-import { defaultSettings, type SettingKey } from '../../../../src/viewer/settings/settings.js';
+import { acceptSetting, defaultSettings, type SettingKey } from '../../../../src/viewer/settings/settings.js';
 import { drawsWithMap } from '../../../../src/viewer/settings/settingValues.js';
 
 const hands = Object.values(exampleHabits).map((habits) => learnHand(drawSwatches(habits, 1)));

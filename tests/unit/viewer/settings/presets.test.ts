@@ -6,12 +6,12 @@ import { HatchingOutlineMaterial } from '../../../../src/material/outlines/Hatch
 import { OUTLINE_NUMBER_NAMES } from '../../../../src/material/outlines/outlineProperties.js';
 import { presets } from '../../../../src/scene/presets.js';
 import { materialSizesIn, parameterSetter } from '../../../../src/viewer/drawing/materials.js';
-import { acceptSetting } from '../../../../src/viewer/settings/acceptSetting.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
-import { outlineLook } from '../../../../src/viewer/settings/outlineLook.js';
+import { outlineLook } from '../../../../src/viewer/settings/materialLook.js';
 import { PRESET_NAMES } from '../../../../src/viewer/settings/presetLabels.js';
 import { firstView, presetLook, presetOf, wholeLook } from '../../../../src/viewer/settings/presets.js';
 import {
+  acceptSetting,
   defaultSettings,
   SETTING_KEYS,
   SETTINGS,

@@ -6,7 +6,7 @@ import {
   readView,
   type SavedView,
   writeView,
-} from '../../../../src/viewer/settings/savedViews.js';
+} from '../../../../src/viewer/settings/CameraView.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 import { readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
 

@@ -1,9 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import type { CameraView } from '../../../../src/viewer/settings/CameraView.js';
-import { NO_CHOICE } from '../../../../src/viewer/settings/ModelChoice.js';
 import { Random } from '../../../../src/viewer/settings/Random.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS } from '../../../../src/viewer/settings/settings.js';
-import { readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
+import { NO_CHOICE, readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
 
 describe('a link', () => {
   test('with nothing but defaults is not the first view', () => {

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
+import { withBoldnessAndDensity } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings, SETTING_KEYS } from '../../../../src/viewer/settings/settings.js';
-import { withBoldnessAndDensity } from '../../../../src/viewer/settings/withBoldnessAndDensity.js';
 
 const changedBy = (look: Parameters<typeof withBoldnessAndDensity>[0]): Record<string, number> => {
   const drawn = withBoldnessAndDensity(look);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { distinctNames, indexOfName } from '../../../../../src/viewer/files/common/names.js';
+import { distinctNames, indexOfName } from '../../../../../src/viewer/files/common/ModelError.js';
 
 test('things of one name, or of none, have names that differ', () => {
   expect(distinctNames(['Up', undefined, 'Up', '', 'Down', 'Up'], 'Clip')).toEqual([

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { dataOf } from '../../../../../src/viewer/files/common/readUri.js';
+import { dataOf } from '../../../../../src/viewer/files/common/ModelFile.js';
 
 /** What the platform makes of a data URI. */
 const fetched = async (uri: string) => new Uint8Array(await (await fetch(uri)).arrayBuffer());

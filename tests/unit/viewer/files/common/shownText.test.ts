@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { shownName, shownText } from '../../../../../src/viewer/files/common/shownText.js';
+import { shownName, shownText } from '../../../../../src/viewer/files/common/ModelError.js';
 
 /** Every character that changes the order of others, or that nobody sees. */
 const HIDDEN = [

@@ -1,7 +1,7 @@
 import draco, { type Attribute } from 'draco3d';
 import { expect, test, vi } from 'vitest';
-import { BITMAPS } from '../../../../../src/viewer/files/common/bitmaps.js';
 import { ModelError } from '../../../../../src/viewer/files/common/ModelError.js';
+import { BITMAPS } from '../../../../../src/viewer/files/common/Surroundings.js';
 import { decodeDraco } from '../../../../../src/viewer/files/gltf/decodeDraco.js';
 import { readModel } from '../../../../../src/viewer/files/readModel.js';
 import { type DracoValues, encodeDraco } from '../../../../../tools/modelFiles/encodeDraco.js';

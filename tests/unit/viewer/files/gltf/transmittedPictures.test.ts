@@ -1,7 +1,7 @@
 import { PNG } from 'pngjs';
 import { expect, test } from 'vitest';
 import { NodeSurroundings } from '../../../../../src/command/draw/NodeSurroundings.js';
-import { withPictures } from '../../../../../src/viewer/files/decodePictures.js';
+import { withPictures } from '../../../../../src/viewer/files/pictures/decodePictures.js';
 import { readModel } from '../../../../../src/viewer/files/readModel.js';
 import { GltfBuilder, type Json } from '../../../../../tools/modelFiles/GltfBuilder.js';
 import { file } from '../../../../../tools/modelFiles/modelWriters.js';

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, TorusKnotGeometry } from 'three';
 import { type HatchingStatistics, prepareHatchingGeometry } from 'three-hatching';
 import { expect, test } from 'vitest';
-import { checkReadTriangles, checkTriangleCount } from '../../../../../src/viewer/files/mesh/checkTriangleCount.js';
+import { checkReadTriangles, checkTriangleCount } from '../../../../../src/viewer/files/mesh/PlainMesh.js';
 
 test('three million triangles are let through, and those that a gigabyte cannot hold are not', () => {
   expect(() => checkTriangleCount(3_000_000)).not.toThrow();

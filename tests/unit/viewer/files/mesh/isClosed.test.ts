@@ -1,7 +1,7 @@
 import { BoxGeometry, IcosahedronGeometry, PlaneGeometry } from 'three';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { expect, test } from 'vitest';
-import { isClosed } from '../../../../../src/viewer/files/mesh/isClosed.js';
+import { isClosed } from '../../../../../src/viewer/files/mesh/plainNormals.js';
 
 /** The triangles of a shape, with its vertices joined. */
 function trianglesOf(shape: BoxGeometry): Uint32Array {

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { settleBlendedPictures } from '../../../../../src/viewer/files/gltf/blendedPictures.js';
 import type { GltfParts } from '../../../../../src/viewer/files/gltf/parseGltf.js';
-import { alphaOf } from '../../../../../src/viewer/files/pictures/alphaOf.js';
+import { settleBlendedPictures } from '../../../../../src/viewer/files/pictures/decodePictures.js';
+import { alphaOf } from '../../../../../src/viewer/files/pictures/imageSize.js';
 
 /** A picture with a pixel for each alpha. */
 const pictureOf = (...alphas: number[]) => ({

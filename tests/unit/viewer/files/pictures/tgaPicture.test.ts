@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { decodeTga, tgaSize } from '../../../../../src/viewer/files/pictures/tgaPicture.js';
+import { decodeTga, tgaSize } from '../../../../../src/viewer/files/pictures/meshPictures.js';
 
 /** A picture of 3 × 2 pixels. @param palette its colours, of 24 bits each */
 const tga = (type: number, bits: number, content: readonly number[], palette: readonly number[] = []): Uint8Array => {

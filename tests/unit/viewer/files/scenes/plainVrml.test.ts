@@ -1,6 +1,6 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { plainVrml } from '../../../../../src/viewer/files/scenes/plainVrml.js';
+import { plainVrml } from '../../../../../src/viewer/files/scenes/readVrml.js';
 import { BOX_CORNERS, BOX_FACES } from '../../../../../tools/modelFiles/box.js';
 import { measure, read, refusal, triangles } from '../../../../../tools/modelFiles/modelWriters.js';
 import { wrl } from '../../../../../tools/modelFiles/sceneWriters.js';

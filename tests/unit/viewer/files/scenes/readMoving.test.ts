@@ -18,7 +18,7 @@ import {
 import { ColladaLoader } from 'three/addons/loaders/ColladaLoader.js';
 import { describe, expect, test, vi } from 'vitest';
 import { buildModel } from '../../../../../src/viewer/drawing/buildModel.js';
-import { meshesOf } from '../../../../../src/viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../../../../src/viewer/drawing/meshes.js';
 import { type GltfParts, parseGltf } from '../../../../../src/viewer/files/gltf/parseGltf.js';
 import { type ReadMesh, type ReadParts, readModel } from '../../../../../src/viewer/files/readModel.js';
 import { readMoving } from '../../../../../src/viewer/files/scenes/readMoving.js';

@@ -1,0 +1,152 @@
+import { type PictureRange, type PlainMesh, triangleCount } from './PlainMesh.js';
+
+/**
+ * Below this share of the triangles, duplicates stay: they cost little, and in scans some lie next to triangles of opposite winding, where
+ * the majority decides which side is outside.
+ */
+const HARMLESS_SHARE = 0.1;
+/** Large meshes are tested by one triangle in this many first. */
+const SAMPLE = 16;
+const FEW = 100_000;
+
+/**
+ * Leaves out duplicate triangles: same corners, winding, colours and pictures. Thousands of them in one place would occupy a graphics card
+ * for a minute without any visible effect.
+ *
+ * @returns the mesh, with the first of each, and the number left out
+ */
+export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: number } {
+  const total = triangleCount(mesh);
+  const corners = new Corners(mesh);
+  if (total > FEW) {
+    const { looked, kept } = distinct(mesh, corners, SAMPLE);
+    // If far fewer were tested than expected, the sample may have missed many copies of one triangle.
+    const isEven = looked > (1 - HARMLESS_SHARE / 2) * (total / SAMPLE);
+    if (isEven && looked - kept.length / 3 < (HARMLESS_SHARE / 2) * looked) return { mesh, duplicates: 0 };
+  }
+  const { kept, ranges } = distinct(mesh, corners, 1);
+  const duplicates = total - kept.length / 3;
+  if (duplicates <= HARMLESS_SHARE * total) return { mesh, duplicates: 0 };
+  return { mesh: { ...mesh, indices: kept.slice(), ...(mesh.ranges && { ranges }) }, duplicates };
+}
+
+/**
+ * The first of each set of equal triangles, rotated so that equal ones begin with the same corner.
+ *
+ * @param sample tests only triangles whose corner mix is divisible by it, which keeps duplicates together. A power of two
+ * @returns the number tested, and the vertices and ranges of those kept
+ */
+function distinct(
+  mesh: PlainMesh,
+  corners: Corners,
+  sample: number,
+): { looked: number; kept: Uint32Array; ranges: PictureRange[] } {
+  const total = triangleCount(mesh);
+  // The factor allows for uneven hashes.
+  const room = sample === 1 ? total : Math.ceil((2 * total) / sample);
+  const table = new Int32Array(2 ** Math.ceil(Math.log2(2 * room + 2))).fill(-1);
+  const mask = table.length - 1;
+  const kept = new Uint32Array(3 * room);
+  /** Hashes of the kept triangles, which tell most triangles apart that share a table slot. */
+  const hashes = new Int32Array(room);
+  const ranges: PictureRange[] = [];
+  let looked = 0;
+  let length = 0;
+  for (const range of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
+    const { start, count, picture } = range;
+    const first = length;
+    for (let corner = start; corner < start + count && length < kept.length; corner += 3) {
+      if (sample > 1 && (corners.mixOf(corner) & (sample - 1)) !== 0) continue;
+      const turn = corners.firstOf(corner);
+      const hash = corners.hashOf(corner, turn) ^ picture;
+      looked++;
+      let slot = hash & mask;
+      for (let at = table[slot]; at !== -1; at = table[slot]) {
+        if (hashes[at / 3] === hash && at >= first && corners.areEqual(kept, at, corner, turn)) break;
+        slot = (slot + 1) & mask;
+      }
+      if (table[slot] !== -1) continue;
+      table[slot] = length;
+      hashes[length / 3] = hash;
+      for (let k = 0; k < 3; k++) kept[length++] = corners.vertexAt(corner + ((turn + k) % 3));
+    }
+    if (length > first) ranges.push({ ...range, start: first, count: length - first });
+  }
+  return { looked, kept: kept.subarray(0, length), ranges };
+}
+
+/** The corners of a mesh, compared by everything that is drawn of them. */
+class Corners {
+  private readonly indices: Uint32Array | null;
+  /** Hash per vertex. */
+  private readonly hashes: Uint32Array;
+  /** The bits of each attribute, and its components per vertex. */
+  private readonly values: readonly { bits: Uint32Array; size: number }[];
+
+  constructor({ positions, colors, uvs, indices }: PlainMesh) {
+    this.indices = indices;
+    const bits = (values: Float32Array): Uint32Array =>
+      new Uint32Array(values.buffer, values.byteOffset, values.length);
+    this.values = [
+      { bits: bits(positions), size: 3 },
+      ...(colors ? [{ bits: bits(colors), size: 3 }] : []),
+      ...(uvs ? [{ bits: bits(uvs), size: 2 }] : []),
+    ];
+    this.hashes = new Uint32Array(positions.length / 3);
+    for (let vertex = 0; vertex < this.hashes.length; vertex++) {
+      let hash = 0x811c9dc5;
+      for (const { bits, size } of this.values) {
+        for (let i = size * vertex; i < size * (vertex + 1); i++)
+          hash = Math.imul(hash ^ bits[i], 0x01000193) ^ (hash >>> 15);
+      }
+      this.hashes[vertex] = hash;
+    }
+  }
+
+  vertexAt(corner: number): number {
+    return this.indices ? this.indices[corner] : corner;
+  }
+
+  /** The corner with which a triangle begins: the same for equal triangles, whatever their order in the file. */
+  firstOf(corner: number): number {
+    const a = this.hashes[this.vertexAt(corner)];
+    const b = this.hashes[this.vertexAt(corner + 1)];
+    const c = this.hashes[this.vertexAt(corner + 2)];
+    // If two are equal and lowest, the triangle begins with the one that comes before the other.
+    if (a <= b && a < c) return 0;
+    if (b <= c && b < a) return 1;
+    return c <= a && c < b ? 2 : 0;
+  }
+
+  /** A checksum of a triangle's corners that does not depend on their order. Takes a fraction of the time of a hash. */
+  mixOf(corner: number): number {
+    const { indices, hashes } = this;
+    const sum = indices
+      ? hashes[indices[corner]] + hashes[indices[corner + 1]] + hashes[indices[corner + 2]]
+      : hashes[corner] + hashes[corner + 1] + hashes[corner + 2];
+    const mixed = Math.imul(sum | 0, 0x85ebca6b);
+    return mixed ^ (mixed >>> 16);
+  }
+
+  hashOf(corner: number, turn: number): number {
+    let hash = 0;
+    for (let k = 0; k < 3; k++)
+      hash = Math.imul(hash ^ this.hashes[this.vertexAt(corner + ((turn + k) % 3))], 0x85ebca6b) ^ (hash >>> 13);
+    return hash ^ (hash >>> 16);
+  }
+
+  /** Whether a kept triangle equals the one that begins at a corner. */
+  areEqual(kept: Uint32Array, at: number, corner: number, turn: number): boolean {
+    for (let k = 0; k < 3; k++) if (!this.areSame(kept[at + k], this.vertexAt(corner + ((turn + k) % 3)))) return false;
+    return true;
+  }
+
+  private areSame(a: number, b: number): boolean {
+    if (a === b) return true;
+    if (a >= this.hashes.length || b >= this.hashes.length) return false;
+    return this.values.every(({ bits, size }) => {
+      for (let i = 0; i < size; i++) if (bits[size * a + i] !== bits[size * b + i]) return false;
+      return true;
+    });
+  }
+}
