@@ -25,6 +25,10 @@ describe('shaders as they are shipped', () => {
     expect(short.length).toBeLessThanOrEqual(text.length);
   });
 
+  test('keep the head of main as users look for it in onBeforeCompile', () => {
+    expect(shortened('void main() {\n  float a = 1.0;\n}\n')).toContain('void main() {float a=1.;');
+  });
+
   test('keep signs apart that would be another operator', () => {
     expect(shortened('float x = a - -b + +c + d - e;')).toBe('float x=a - -b + +c+d-e;');
   });
