@@ -3,7 +3,7 @@ import { radianceAround, type Surroundings } from '../look/surroundings.js';
 import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
-import { type Projection, fadedPlace } from './Projection.js';
+import { fadedPlace, type Projection } from './Projection.js';
 import { type LampShadow, LIT, type ReceivedShadow, ShadowRays } from './ShadowRays.js';
 import { fadingAt, type ObjectFading } from './shading/fading.js';
 import { type GroundLook, groundTone } from './shading/groundShadow.js';

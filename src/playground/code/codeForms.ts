@@ -1,9 +1,9 @@
-import { shownName } from '../../viewer/files/common/ModelError.js';
-import { lightSample, lookSample, codeLook, entries, round, when } from './lookSample.js';
 import { MathUtils } from 'three';
+import { shownName } from '../../viewer/files/common/ModelError.js';
+import { FULL_SHEET, LEAST_STROKE_SHARE } from '../../viewer/sceneSetup/framing.js';
 import { GROUND } from '../../viewer/sceneSetup/Ground.js';
 import { LENS } from '../../viewer/sceneSetup/LensCamera.js';
-import { FULL_SHEET, LEAST_STROKE_SHARE } from '../../viewer/sceneSetup/framing.js';
+import { codeLook, entries, lightSample, lookSample, round, when } from './lookSample.js';
 import { type CodeDrawing, type CodeModel, IMPORT_MAP, type ModelSource, modelSource } from './modelSource.js';
 
 const THREE =

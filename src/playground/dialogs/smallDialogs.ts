@@ -1,4 +1,4 @@
-import { shownName } from '../../viewer/files/common/shownText.js';
+import { shownName } from '../../viewer/files/common/ModelError.js';
 import { GALLERY, type GalleryDrawing } from '../../viewer/settings/gallery.js';
 import { findElement, textButton } from '../page/elements.js';
 import type { DrawingStore } from '../session/DrawingStore.js';

@@ -1,6 +1,6 @@
-import { meshesOf } from '../../viewer/drawing/meshes.js';
 import { REVISION } from 'three';
 import { version } from '../../../package.json';
+import { meshesOf } from '../../viewer/drawing/meshes.js';
 import type { ModelStatistics } from '../../viewer/drawing/statistics.js';
 import { extensionOf, withoutGz } from '../../viewer/files/common/ModelFile.js';
 import { FORMATS } from '../../viewer/files/formats.js';

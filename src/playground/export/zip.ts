@@ -1,6 +1,6 @@
 import { Zip, ZipPassThrough } from 'three/addons/libs/fflate.module.js';
-import { BUNDLE, describeBundle } from '../../viewer/files/archives/bundle.js';
-import { baseName } from '../../viewer/files/common/fileName.js';
+import { BUNDLE, describeBundle } from '../../viewer/files/bundle.js';
+import { baseName } from '../../viewer/files/common/ModelFile.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 
 /** Bytes are collected to parts of this size and handed to the browser, which may store them on disk. */

@@ -1,8 +1,7 @@
 import { type Hand, type HandNumbers, type HandStroke, learnHand } from 'three-hatching';
 import { checkHand } from '../../strokes/hand/checkHand.js';
-import { ModelError } from '../../viewer/files/common/ModelError.js';
+import { ModelError, shownName } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile } from '../../viewer/files/common/ModelFile.js';
-import { shownName } from '../../viewer/files/common/shownText.js';
 import { readHand, writeHand } from '../../viewer/settings/handLink.js';
 import { HAND_FILE, type OwnHand } from '../session/DrawingState.js';
 

@@ -1,9 +1,8 @@
 import { learnHandAsync, traceStrokes } from 'three-hatching';
 import type { Report } from '../../viewer/drawing/buildModel.js';
 import { ModelError, shownName } from '../../viewer/files/common/ModelError.js';
-import { ownHandOf } from '../maps/readOwnHand.js';
 import type { OwnHand } from '../session/DrawingState.js';
-import { LEAST_STROKES, learnOwnHand } from './ownHand.js';
+import { LEAST_STROKES, learnOwnHand, ownHandOf } from './ownHand.js';
 import { layOut } from './swatches.js';
 
 /** The maximum size of a picture file, in bytes. */

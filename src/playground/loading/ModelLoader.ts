@@ -9,11 +9,11 @@ import type { CameraView, SavedView } from '../../viewer/settings/CameraView.js'
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
 import { type ModelChoice, NO_CHOICE } from '../../viewer/settings/shareLink.js';
-import { BUILT_IN_MODELS } from '../models/models.js';
-import { loadModelFiles, type LoadOptions } from '../reading/loadModelFiles.js';
 import type { CodeModel } from '../code/modelSource.js';
+import { BUILT_IN_MODELS } from '../models/models.js';
 import { setPageState } from '../page/elements.js';
 import { page } from '../page/page.js';
+import { type LoadOptions, loadModelFiles } from '../reading/loadModelFiles.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import { afterFrame } from '../viewport/graphicsCard.js';
 import type { Viewport } from '../viewport/Viewport.js';

@@ -1,7 +1,7 @@
 import { type BufferGeometry, MathUtils } from 'three';
 import type { OcclusionBake } from 'three-hatching';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import { meshesOf } from '../../viewer/drawing/meshesOf.js';
+import { meshesOf } from '../../viewer/drawing/meshes.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency, formDrawn } from '../../viewer/settings/settingValues.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';

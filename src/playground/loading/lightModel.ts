@@ -1,10 +1,10 @@
 import { MathUtils, Spherical } from 'three';
 import { flatteringLight } from 'three-hatching';
-import { lightsOfFile, viewsOfFile } from '../../viewer/sceneSetup/ofFile.js';
-import { lightOf, type SavedView, isLitBy } from '../../viewer/settings/CameraView.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import { type ModelExtras, movedExtras } from '../../viewer/files/common/ModelExtras.js';
 import { counted } from '../../viewer/files/common/ModelError.js';
+import { type ModelExtras, movedExtras } from '../../viewer/files/common/ModelExtras.js';
+import { lightsOfFile, viewsOfFile } from '../../viewer/sceneSetup/ofFile.js';
+import { isLitBy, lightOf, type SavedView } from '../../viewer/settings/CameraView.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
 import { acceptSetting, type Settings } from '../../viewer/settings/settings.js';
 import type { Viewport } from '../viewport/Viewport.js';

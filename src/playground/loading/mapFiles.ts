@@ -1,5 +1,5 @@
 import { TonalArtMap } from 'three-hatching';
-import { shownName, ModelError } from '../../viewer/files/common/ModelError.js';
+import { ModelError, shownName } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import { handLook } from '../../viewer/settings/handLook.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';

@@ -1,4 +1,4 @@
-import { baseName } from '../../viewer/files/common/fileName.js';
+import { baseName } from '../../viewer/files/common/ModelFile.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import type { MapLoader } from './MapLoader.js';
 import type { ModelLoader, ShownFiles } from './ModelLoader.js';

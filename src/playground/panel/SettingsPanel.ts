@@ -1,14 +1,19 @@
 import { type Controller, GUI } from 'lil-gui';
 import { withBoldnessAndDensity } from '../../viewer/settings/lookOf.js';
-import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../viewer/settings/settings.js';
-import { hasEffect, isChoiceKnown, looksOf, presentUnit, savedFormat } from '../../viewer/settings/settingValues.js';
 import { LIGHT_LOOKS } from '../../viewer/settings/presets.js';
-import { type NumberSetting, SETTING_GROUPS, type Setting, type SettingGroup } from '../../viewer/settings/table/rows.js';
-import { millimetresPerPixel } from '../print/printPlan.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey } from '../../viewer/settings/settings.js';
+import { hasEffect, isChoiceKnown, looksOf, presentUnit, savedFormat } from '../../viewer/settings/settingValues.js';
+import {
+  type NumberSetting,
+  SETTING_GROUPS,
+  type Setting,
+  type SettingGroup,
+} from '../../viewer/settings/table/rows.js';
 import type { Dialogs } from '../dialogs/Dialogs.js';
 import type { Exports } from '../export/Exports.js';
 import { findElement } from '../page/elements.js';
 import { drawnView, page } from '../page/page.js';
+import { millimetresPerPixel } from '../print/printPlan.js';
 import type { Session } from '../session/Session.js';
 import type { LaterParts } from '../tasks/LaterParts.js';
 

@@ -1,6 +1,6 @@
 import { type PerspectiveCamera, Vector3 } from 'three';
-import { hasEffect } from '../../viewer/settings/effects.js';
 import type { Settings } from '../../viewer/settings/settings.js';
+import { hasEffect } from '../../viewer/settings/settingValues.js';
 import { BlobWriter } from '../export/zip.js';
 import type { PictureLook, PictureSession } from '../viewport/PictureSession.js';
 import { PngWriter } from './PngWriter.js';

@@ -1,6 +1,6 @@
+import type { Hand, HandNumbers, HandStroke } from 'three-hatching';
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import type { SavedView } from '../../viewer/settings/CameraView.js';
-import type { Hand, HandNumbers, HandStroke } from 'three-hatching';
 import { SETTING_KEYS, type Settings } from '../../viewer/settings/settings.js';
 import { isSameChoice, type ModelChoice } from '../../viewer/settings/shareLink.js';
 import type { ViewState } from '../viewport/View.js';

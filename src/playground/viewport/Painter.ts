@@ -1,4 +1,4 @@
-import { WebGLRenderer, MathUtils, type WebGLInfo } from 'three';
+import { MathUtils, type WebGLInfo, WebGLRenderer } from 'three';
 import { strokeShare } from '../../viewer/sceneSetup/framing.js';
 import { type SheetPart, WHOLE_SHEET } from '../../viewer/sceneSetup/groundShadow.js';
 import { createCamera } from '../../viewer/sceneSetup/LensCamera.js';

@@ -1,7 +1,7 @@
 import { MathUtils, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { WHOLE_SHEET } from '../../viewer/sceneSetup/groundShadow.js';
 import { type Framing, fitCamera, proportionOf, SHADOW_ROOM } from '../../viewer/sceneSetup/framing.js';
+import { WHOLE_SHEET } from '../../viewer/sceneSetup/groundShadow.js';
 import { DEFAULT_VIEW, type LensCamera } from '../../viewer/sceneSetup/LensCamera.js';
 import { roomiestView } from '../../viewer/sceneSetup/placeCamera.js';
 import type { CameraLens, CameraView } from '../../viewer/settings/CameraView.js';

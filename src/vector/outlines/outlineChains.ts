@@ -1,9 +1,9 @@
 import { combined, dot, normalize, type Vec3 } from '../../look/vectors.js';
 import { asPhase } from '../../mesh/phases.js';
 import { type Chain, ChainBuilder, type OutlinePoint } from '../Chain.js';
-import { type Projection, transformed, fadedPlace } from '../Projection.js';
-import { shadeWeight, wobbleAt } from '../shading/outlines.js';
+import { fadedPlace, type Projection, transformed } from '../Projection.js';
 import { outlineFadingAt } from '../shading/fading.js';
+import { shadeWeight, wobbleAt } from '../shading/outlines.js';
 import { meanLightAt } from '../shading/radiance.js';
 import type { Illumination } from '../Toner.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';

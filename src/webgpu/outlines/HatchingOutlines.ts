@@ -1,4 +1,15 @@
-import { type Object3D, type BufferGeometry, type Camera, type InstancedMesh, type Material, type Mesh, type Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
+import {
+  type BufferGeometry,
+  type Camera,
+  type InstancedMesh,
+  type Material,
+  type Mesh,
+  type Object3D,
+  type Scene,
+  Vector2,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
 import type { ClippingGroup, Renderer, WebGPURenderer } from 'three/webgpu';
 import { warn } from '../../material/diagnostics/warn.js';
 import { outlineDataOf } from '../../material/geometry/OutlineData.js';

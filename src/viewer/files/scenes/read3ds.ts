@@ -1,4 +1,11 @@
-import { BufferAttribute, type BufferGeometry, type Material, type Mesh, MeshPhongMaterial, type Object3D } from 'three';
+import {
+  BufferAttribute,
+  type BufferGeometry,
+  type Material,
+  type Mesh,
+  MeshPhongMaterial,
+  type Object3D,
+} from 'three';
 import { TDSLoader } from 'three/addons/loaders/TDSLoader.js';
 import { ModelError } from '../common/ModelError.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';

@@ -5,7 +5,7 @@ import { toUtf8 } from '../common/AsciiReader.js';
 import { counted, ModelError } from '../common/ModelError.js';
 import { unzip } from '../readArchive.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { type XmlElement, XmlParser, withoutDocument } from './withoutDocument.js';
+import { withoutDocument, type XmlElement, XmlParser } from './withoutDocument.js';
 
 /** Reads a 3MF file. @throws ModelError if it is damaged; Error of the loader */
 export async function read3mf(bytes: Uint8Array, name: string): Promise<LoadedScene> {

@@ -2,7 +2,7 @@ import type { Mesh, MeshPhongMaterial, Object3D } from 'three';
 import { ColladaLoader } from 'three/addons/loaders/ColladaLoader.js';
 import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { XmlElement, XmlParser, withoutDocument } from './withoutDocument.js';
+import { withoutDocument, XmlElement, XmlParser } from './withoutDocument.js';
 
 /** Reads a COLLADA file (DAE), with its clips. @throws Error of the loader */
 export function readCollada(bytes: Uint8Array, name: string): LoadedScene {

@@ -7,7 +7,20 @@ import { settingsFor, stageModel } from '../../../../src/command/draw/stageModel
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { packGlb } from '../../../../tools/modelFiles/columnModel.js';
-import { octahedronAsciiStl, octahedronBin, octahedronBinaryStl, octahedronDracoGlb, octahedronGlb, octahedronGltf, octahedronMeshoptGlb, octahedronObj, octahedronPly, skyPng, squareMtl, squareObj } from '../../../../tools/modelFiles/modelFiles.js';
+import {
+  octahedronAsciiStl,
+  octahedronBin,
+  octahedronBinaryStl,
+  octahedronDracoGlb,
+  octahedronGlb,
+  octahedronGltf,
+  octahedronMeshoptGlb,
+  octahedronObj,
+  octahedronPly,
+  skyPng,
+  squareMtl,
+  squareObj,
+} from '../../../../tools/modelFiles/modelFiles.js';
 import { draw, optionsOf, refusal, SMALL, work } from './drawing.js';
 
 /** A picture in a format that only browsers decode: its header is all that is read. */

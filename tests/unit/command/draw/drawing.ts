@@ -2,11 +2,10 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach } from 'vitest';
-import type { DrawingOptions } from '../../../../src/command/DrawingOptions.js';
-import type { DrawMessage } from '../../../../src/command/DrawThread.js';
 import { drawModel } from '../../../../src/command/draw/drawModel.js';
 import { failure } from '../../../../src/command/draw/failure.js';
-import { parseDrawing } from '../../../../src/command/parseDrawing.js';
+import type { DrawMessage } from '../../../../src/command/draw.js';
+import { type DrawingOptions, parseDrawing } from '../../../../src/command/parseDrawing.js';
 
 export let work: string;
 

@@ -2,8 +2,7 @@ import { type BufferGeometry, type Mesh, type PerspectiveCamera, Spherical, Vect
 import type { HatchingMaterial } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
 import { NodeSurroundings } from '../../../../src/command/draw/NodeSurroundings.js';
-import { settingsFor } from '../../../../src/command/draw/settingsFor.js';
-import { stageModel } from '../../../../src/command/draw/stageModel.js';
+import { settingsFor, stageModel } from '../../../../src/command/draw/stageModel.js';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { addTrack, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';

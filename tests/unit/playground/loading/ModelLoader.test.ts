@@ -3,8 +3,8 @@ import { beforeEach, expect, test, vi } from 'vitest';
 import { type ModelEnd, ModelLoader } from '../../../../src/playground/loading/ModelLoader.js';
 import type { LoadOptions } from '../../../../src/playground/reading/loadModelFiles.js';
 import { TaskRunner } from '../../../../src/playground/tasks/TaskRunner.js';
-import { NO_CHOICE } from '../../../../src/viewer/settings/ModelChoice.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
+import { NO_CHOICE } from '../../../../src/viewer/settings/shareLink.js';
 import { fakeStatus } from '../tasks/fakeStatus.js';
 
 /** How each started load ends, in order. */

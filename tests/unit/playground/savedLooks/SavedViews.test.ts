@@ -1,5 +1,5 @@
 import { expect, test, vi } from 'vitest';
-import { SavedViews, freeName } from '../../../../src/playground/savedLooks/SavedViews.js';
+import { freeName, SavedViews } from '../../../../src/playground/savedLooks/SavedViews.js';
 import { type CameraView, MAX_VIEWS } from '../../../../src/viewer/settings/CameraView.js';
 import type { Look } from '../../../../src/viewer/settings/lookOf.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { type KeptLook, KeptLooks, MOST_LOOKS } from '../../../../src/playground/storage/KeptLooks.js';
+import { type KeptLook, KeptLooks, MOST_LOOKS } from '../../../../src/playground/savedLooks/OwnLooks.js';
 import { acceptLook, hasLook, presetLook } from '../../../../src/viewer/settings/presets.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 

@@ -1,8 +1,8 @@
 import { Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { shadowOnGround } from '../../../../src/viewer/sceneSetup/groundShadow.js';
 import { shadowReach } from '../../../../src/scene/lighting/chooseLight.js';
 import { OuterPoints } from '../../../../src/scene/lighting/readTriangles.js';
+import { shadowOnGround } from '../../../../src/viewer/sceneSetup/groundShadow.js';
 
 const TOP = [0, 1, 0] as const;
 const toward = (x: number, y: number, z: number): [number, number, number] =>

@@ -1,7 +1,14 @@
 import { expect, test } from 'vitest';
-import { zipDrawing } from '../../../../src/playground/export/zipDrawing.js';
+import { zipDrawing } from '../../../../src/playground/export/zip.js';
 import { describeBundle } from '../../../../src/viewer/files/bundle.js';
-import { colorsOf, colouredBoxMtl, colouredBoxObj, file, read, refusal } from '../../../../tools/modelFiles/modelWriters.js';
+import {
+  colorsOf,
+  colouredBoxMtl,
+  colouredBoxObj,
+  file,
+  read,
+  refusal,
+} from '../../../../tools/modelFiles/modelWriters.js';
 import { threeMf, zip } from '../../../../tools/modelFiles/sceneWriters.js';
 
 const LINK = 'technique=engraved&ink=%237a2e1d&view=framed';

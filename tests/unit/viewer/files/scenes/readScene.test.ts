@@ -1,8 +1,17 @@
 import { PNG } from 'pngjs';
 import { FileLoader, ImageLoader, TextureLoader } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { XmlParser, withoutDocument } from '../../../../../src/viewer/files/scenes/withoutDocument.js';
-import { type Content, colorsOf, colouredBoxMtl, colouredBoxObj, measure, read, refusal, triangles } from '../../../../../tools/modelFiles/modelWriters.js';
+import { withoutDocument, XmlParser } from '../../../../../src/viewer/files/scenes/withoutDocument.js';
+import {
+  type Content,
+  colorsOf,
+  colouredBoxMtl,
+  colouredBoxObj,
+  measure,
+  read,
+  refusal,
+  triangles,
+} from '../../../../../tools/modelFiles/modelWriters.js';
 import { dae, fbx, tds, threeMf, usda, wrl, zip } from '../../../../../tools/modelFiles/sceneWriters.js';
 
 const SIDE = 2 / Math.sqrt(3);
