@@ -2,11 +2,11 @@ import type { EngravedLook } from './Engraver.js';
 import type { LineSurface } from './LineSurface.js';
 import type { OutlineLook, OutlineMesh } from './outlines/OutlineMesh.js';
 import type { CameraMatrices } from './Projection.js';
-import type { Veil } from './paint/Fading.js';
 import type { Clip, Cutout, PaintLook } from './paint/PaintLook.js';
+import type { TranslucentRange } from './paint/Translucency.js';
 import type { Field } from './shading/fieldAxis.js';
 import type { DotLayers, DotSet, DotSize } from './shading/stipple.js';
-import type { Illumination, SurfaceLook } from './Toner.js';
+import type { Illumination, SurfaceLook } from './ToneReader.js';
 
 /** The lines of a surface in the shadows of some lights, where lines turn. */
 export interface TurnedLines {
@@ -80,7 +80,7 @@ export interface DrawnScene {
   /** Ranges of triangles that have holes or are clipped, in order. */
   cutouts: readonly Cutout[];
   /** Ranges of see-through triangles, in order. */
-  veils: readonly Veil[];
+  translucent: readonly TranslucentRange[];
   surfaces: readonly EngravedSurface[];
   stippled: readonly StippledSurface[];
   outlines: readonly OutlinedMesh[];

@@ -28,7 +28,7 @@ import {
   uphillOnPicture,
 } from './shading/screenGradient.js';
 import { alongLines } from './shading/strokeLengths.js';
-import type { Tones } from './Toner.js';
+import type { Tones } from './ToneReader.js';
 
 /** The properties of engraved lines on a surface. */
 export interface EngravedLook {

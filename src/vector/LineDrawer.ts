@@ -4,25 +4,26 @@ import { asPhase } from '../mesh/phases.js';
 import type { Bvh } from './Bvh.js';
 import { backgroundPaths } from './backgroundPaths.js';
 import type { Chain } from './Chain.js';
-import { type CutRun, cutRun, holdBack, refineEnds } from './cutRun.js';
+import { type CastingSphere, castingSphere, cullLit } from './cullLit.js';
+import { type CutRun, cutRun, limitToSurface, refineEnds } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
-import { type CastingSphere, castingSphere, dropLit } from './dropLit.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { dashed, endHairlines } from './hairlines.js';
 import type { LineMedium } from './lineMarks.js';
-import { dropScraps } from './outlines/dropScraps.js';
+import { dropShortLines } from './outlines/dropShortLines.js';
 import { loseEdges, type SeenOutline } from './outlines/loseEdges.js';
 import { outlineChains } from './outlines/outlineChains.js';
 import { hiddenLook, outlinePieces, weighHidden } from './outlines/outlinePieces.js';
-import { cutTest, outlineTest, weighOutline } from './outlines/seenOutlines.js';
+import { cutTest, outlineTest, weighByHierarchy } from './outlines/seenOutlines.js';
+import { cutTest, outlineTest, weighByHierarchy } from './outlines/seenOutlines.js';
 import type { Projection } from './Projection.js';
-import { Fading, VeilTone } from './paint/Fading.js';
 import { type Clip, isClipped } from './paint/PaintLook.js';
 import { PlaceReader } from './paint/PlaceReader.js';
+import { Translucency, TranslucentTone } from './paint/Translucency.js';
 import { dashes, type LinePath } from './paths/LinePath.js';
 import { readVertices, type Tracing } from './readVertices.js';
 import { subdivide } from './subdivide.js';
-import { Toner, VertexTones } from './Toner.js';
+import { ToneReader, VertexTones } from './ToneReader.js';
 import { seenSides, traceFamily } from './traceFamily.js';
 import { type Run, type SeenTest, visibleRuns } from './visibleRuns.js';
 
@@ -85,7 +86,7 @@ export class LineDrawer {
   segments = 0;
   /** Height above a surface at which rays start, world units. */
   readonly above: number;
-  readonly fading: Fading;
+  readonly translucency: Translucency;
   private casters: CastingSphere | null | undefined;
 
   /**
@@ -102,7 +103,13 @@ export class LineDrawer {
     private readonly millimetre = 1,
   ) {
     this.above = ABOVE * bvh.extent;
-    this.fading = new Fading(bvh, projection, scene.veils, this.above, veilTones(scene, projection, bvh));
+    this.translucency = new Translucency(
+      bvh,
+      projection,
+      scene.translucent,
+      this.above,
+      translucentTones(scene, projection, bvh),
+    );
   }
 
   *drawOutlines(): Generator<number, void, void> {
@@ -111,7 +118,7 @@ export class LineDrawer {
     const seen: LeftPath[] = [];
     for (const [i, outlined] of outlines.entries())
       yield* asPhase(this.drawOutline(outlined, seen), i / outlines.length, (i + 1) / outlines.length);
-    const kept = pen === null ? seen : dropScraps(seen, { shortest: SHORTEST_ALONE * millimetre, near: pen });
+    const kept = pen === null ? seen : dropShortLines(seen, { shortest: SHORTEST_ALONE * millimetre, near: pen });
     for (const one of kept) this.addPath(one);
   }
 
@@ -133,7 +140,7 @@ export class LineDrawer {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
       yield from;
-      yield* asPhase(weighOutline(chain, bvh, projection), from, (from + to) / 2);
+      yield* asPhase(weighByHierarchy(chain, bvh, projection), from, (from + to) / 2);
       const isSeen = clipped(uncut(outlineTest(chain, bvh, projection), cutTest(chain, bvh, projection)), clip);
       for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
         if (least > 0) endHairlines(faded, least);
@@ -196,12 +203,12 @@ export class LineDrawer {
 
   /** Splits a line by what it lies behind: for each share that is visible of any part of it, the line and a test for that share. */
   private *fadedParts(chain: Chain, isSeen: SeenTest): Generator<number, FadedPart[], void> {
-    const { fading, projection } = this;
-    if (!fading.isThere) return [{ faded: chain, left: 1, isLeft: isSeen }];
+    const { translucency, projection } = this;
+    if (!translucency.isThere) return [{ faded: chain, left: 1, isLeft: isSeen }];
     const shares = new Set<number>();
     yield* visibleRuns(chain, projection, (place) => {
       const seen = isSeen(place);
-      if (seen) shares.add(fading.leftOf(place.world, chain.triangles[place.piece]));
+      if (seen) shares.add(translucency.transmittance(place.world, chain.triangles[place.piece]));
       return seen;
     });
     return [...shares]
@@ -215,15 +222,15 @@ export class LineDrawer {
 
   private fadedHalves({ halves, world, triangles }: Chain, left: number): Float64Array {
     return halves.map((half, i) => {
-      return left * half * this.fading.deepening(vectorAt(world, 3 * i), triangles[i]);
+      return left * half * this.translucency.deepening(vectorAt(world, 3 * i), triangles[i]);
     });
   }
 
   /** A test that passes where just this share of a line is visible. */
   private isLeftOf({ triangles }: Chain, left: number, isSeen: SeenTest): SeenTest {
-    const { fading } = this;
-    if (!fading.isThere) return isSeen;
-    return (place) => isSeen(place) && fading.leftOf(place.world, triangles[place.piece]) === left;
+    const { translucency } = this;
+    if (!translucency.isThere) return isSeen;
+    return (place) => isSeen(place) && translucency.transmittance(place.world, triangles[place.piece]) === left;
   }
 
   /** All lines on a surface, visible or not. Yields its progress. */
@@ -233,16 +240,16 @@ export class LineDrawer {
     yield* this.dropUnshaded(drawn);
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
     yield* this.dropUnshaded(drawn);
-    const toner = new Toner(look, scene.illumination, bvh, projection);
+    const toneReader = new ToneReader(look, scene.illumination, bvh, projection);
     const sides = yield* asPhase(seenSides(surface, projection), 0.08, 0.1);
     const places = new PlaceReader(surface, paint, sides, projection);
-    const tones = new VertexTones(toner);
+    const tones = new VertexTones(toneReader);
     const lines: TracedLine[] = [];
     const all = [drawn, ...turned];
     for (const [i, { engraved, field }] of all.entries()) {
       const engraver = new Engraver(engraved, field, surface.viewToField, projection);
       const isTurned = (shadows: number) => turned.findIndex((one) => one.shadows === shadows) + 1 === i;
-      const tracing = { surface, places, engraver, toner, projection, sides, pen };
+      const tracing = { surface, places, engraver, toneReader, projection, sides, pen };
       const tracingAll = tracedFamilies({ ...tracing, isDrawnIn: turned.length > 0 ? isTurned : null }, tones);
       const found = yield* asPhase(tracingAll, 0.1 + (0.9 * i) / all.length, 0.1 + (0.9 * (i + 1)) / all.length);
       for (const line of found) lines.push(line);
@@ -254,7 +261,7 @@ export class LineDrawer {
     if (!ground) return;
     const { corners, sides, illumination } = this.scene;
     if (this.casters === undefined) this.casters = yield* castingSphere(corners, sides);
-    yield* dropLit(surface, this.casters, illumination, ground);
+    yield* cullLit(surface, this.casters, illumination, ground);
   }
 
   *drawBackgrounds(): Generator<number, void, void> {
@@ -304,7 +311,7 @@ export class LineDrawer {
       if (pen !== null) this.addPath({ layer, path: cut.path, left });
       else {
         const finer = refineEnds(cut);
-        yield* asPhase(holdBack(finer, bvh, projection, !surface.hides), 0.7, 1);
+        yield* asPhase(limitToSurface(finer, bvh, projection, !surface.hides), 0.7, 1);
         layer.paths.push(finer.path);
       }
     }
@@ -334,14 +341,17 @@ interface TracedLine {
 }
 
 /** The tones of see-through surfaces that are hatched themselves. To be read before surfaces are subdivided. */
-function veilTones(
-  { surfaces, stippled, veils, illumination }: DrawnScene,
+function translucentTones(
+  { surfaces, stippled, translucent, illumination }: DrawnScene,
   projection: Projection,
   bvh: Bvh,
-): VeilTone[] {
+): TranslucentTone[] {
   return [...surfaces, ...stippled]
-    .filter(({ surface }) => veils.some(({ first }) => first === surface.parents[0]))
-    .map(({ surface, look }) => new VeilTone(surface, new Toner(look, illumination, bvh, projection), projection));
+    .filter(({ surface }) => translucent.some(({ first }) => first === surface.parents[0]))
+    .map(
+      ({ surface, look }) =>
+        new TranslucentTone(surface, new ToneReader(look, illumination, bvh, projection), projection),
+    );
 }
 
 function* tracedFamilies(tracing: Tracing, tones: VertexTones): Generator<number, TracedLine[], void> {

@@ -150,7 +150,7 @@ const HALVINGS = 3;
  *
  * @param isSheer whether the surface hides nothing, so that rays do not hit it
  */
-export function* holdBack(
+export function* limitToSurface(
   { path, depths }: CutRun,
   bvh: Bvh,
   projection: Projection,

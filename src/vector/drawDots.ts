@@ -5,9 +5,9 @@ import type { Bvh } from './Bvh.js';
 import type { DrawnScene, StippledSurface } from './DrawnScene.js';
 import { between, STRIDE, type SurfacePlace } from './LineSurface.js';
 import type { Projection } from './Projection.js';
-import type { Fading } from './paint/Fading.js';
 import { isClipped } from './paint/PaintLook.js';
 import { PlaceReader } from './paint/PlaceReader.js';
+import type { Translucency } from './paint/Translucency.js';
 import { type ScreenMap, screenGradient, screenMap } from './shading/screenGradient.js';
 import {
   coverOf,
@@ -25,7 +25,7 @@ import {
   setShift,
 } from './shading/stipple.js';
 import { subdivide } from './subdivide.js';
-import { Toner } from './Toner.js';
+import { ToneReader } from './ToneReader.js';
 import { seenSides } from './traceFamily.js';
 
 /** The dots of one ink. */
@@ -39,13 +39,13 @@ export function* drawDots(
   scene: DrawnScene,
   projection: Projection,
   bvh: Bvh,
-  fading: Fading,
+  translucency: Translucency,
   above: number,
 ): Generator<number, DotLayer[], void> {
   const layers: DotLayer[] = [];
   const { stippled } = scene;
   for (const [i, one] of stippled.entries()) {
-    const drawing = dotsOf(one, scene, projection, bvh, fading, above);
+    const drawing = dotsOf(one, scene, projection, bvh, translucency, above);
     const dots = yield* asPhase(drawing, i / stippled.length, (i + 1) / stippled.length);
     const layer = layers.find(({ ink }) => ink === one.ink);
     if (layer) for (const dot of dots) layer.dots.push(dot);
@@ -64,10 +64,10 @@ export interface Dot {
 /** The inputs for placing the dots of a surface. */
 interface DotScene extends StippledSurface {
   places: PlaceReader;
-  toner: Toner;
+  toneReader: ToneReader;
   projection: Projection;
   bvh: Bvh;
-  fading: Fading;
+  translucency: Translucency;
   /** Per triangle 1 if its front is visible, −1 if its back is, 0 if nothing of it is drawn. */
   sides: Int8Array;
   /** Height above the surface at which rays start, world units. */
@@ -93,15 +93,15 @@ function* dotsOf(
   { illumination }: DrawnScene,
   projection: Projection,
   bvh: Bvh,
-  fading: Fading,
+  translucency: Translucency,
   above: number,
 ): Generator<number, Dot[], void> {
   const { surface, look, paint } = stippled;
   yield* asPhase(subdivide(surface, projection), 0, 0.1);
   const sides = yield* asPhase(seenSides(surface, projection), 0.1, 0.15);
-  const toner = new Toner(look, illumination, bvh, projection);
+  const toneReader = new ToneReader(look, illumination, bvh, projection);
   const places = new PlaceReader(surface, paint, sides, projection);
-  const placer = new DotPlacer({ ...stippled, places, toner, projection, bvh, fading, sides, above });
+  const placer = new DotPlacer({ ...stippled, places, toneReader, projection, bvh, translucency, sides, above });
   for (let t = 0; t < sides.length; t++) {
     if (t % 64 === 63) yield 0.15 + (0.85 * t) / sides.length;
     if (sides[t] !== 0) placer.onTriangle(t);
@@ -158,11 +158,11 @@ class DotPlacer {
 
   /** Bounds of the tones around a corner of a triangle. */
   private tonesAt(t: number, place: SurfacePlace): readonly [number, number] {
-    const { places, toner } = this.scene;
+    const { places, toneReader } = this.scene;
     if (places.hasRelief) return [0, 1];
     const tones = places
       .paintsAt(t, place)
-      .map((paint) => toner.read({ ...place, paint }, toner.hasShadows ? 'traced' : 'none').tone);
+      .map((paint) => toneReader.read({ ...place, paint }, toneReader.hasShadows ? 'traced' : 'none').tone);
     return [Math.min(...tones), Math.max(...tones)];
   }
 
@@ -232,13 +232,13 @@ class DotPlacer {
     { plane: { axis }, level, layer }: CellsOfLayer,
     born: number,
   ): void {
-    const { places, clip, toner, size, projection, bvh, fading, surface, above } = this.scene;
+    const { places, clip, toneReader, size, projection, bvh, translucency, surface, above } = this.scene;
     const place = places.read(numbers, t);
-    if ((place.paint !== null && place.paint.standing < 0) || (clip && isClipped(clip, place.world))) return;
+    if ((place.paint !== null && place.paint.alphaMargin < 0) || (clip && isClipped(clip, place.world))) return;
     const { planes, areaOf, flattenedOn } = this.read(place);
     const plane = planes.find((one) => isSame(one.axis, axis));
     if (!plane) return;
-    const cover = this.coverIn(layer, toner.read(place, toner.hasShadows ? 'traced' : 'none').tone);
+    const cover = this.coverIn(layer, toneReader.read(place, toneReader.hasShadows ? 'traced' : 'none').tone);
     if (cover <= 0) return;
     const pixelArea = areaOf(plane);
     const own = ownCover(cover, plane.share);
@@ -251,9 +251,9 @@ class DotPlacer {
     if (!(radius >= LEAST_RADIUS) || !projection.contains(x, y)) return;
     const { way, end } = projection.wayToEye(...place.world);
     if (bvh.isHidden(place.world, way, above / Math.hypot(...way), end, surface.parents[t])) return;
-    const left = fading.leftOf(place.world, surface.parents[t]);
+    const left = translucency.transmittance(place.world, surface.parents[t]);
     if (left === 0) return;
-    const faded = left === 1 ? 1 : left * fading.deepening(place.world, surface.parents[t]);
+    const faded = left === 1 ? 1 : left * translucency.deepening(place.world, surface.parents[t]);
     this.dots.push({ x, y, radius: radius * Math.sqrt(faded) });
   }
 }

@@ -59,7 +59,7 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   yield* asPhase(drawer.drawOutlines(), ...phases.outlines);
   yield* asPhase(drawer.drawSurfaces(), ...phases.surfaces);
   yield* asPhase(drawer.drawBackgrounds(), ...phases.backgrounds);
-  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.fading, drawer.above), ...phases.dots);
+  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.translucency, drawer.above), ...phases.dots);
   const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
   const [from, to] = phases.finishing;
   const middle = scene.stippled.length > 0 ? 0.5 * (from + to) : to;

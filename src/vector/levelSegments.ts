@@ -25,14 +25,14 @@ export interface LevelSegments {
 }
 
 /** Offsets of lines from their level sets. */
-export interface LinesAside {
+export interface LineOffsets {
   /** The offset of a line at a vertex, in units of the function. */
   at(value: number, vertex: number): number;
   /** The greatest offset at a vertex. */
   mostAt(vertex: number): number;
 }
 
-const NONE_ASIDE: LinesAside = { at: () => 0, mostAt: () => 0 };
+const NO_OFFSETS: LineOffsets = { at: () => 0, mostAt: () => 0 };
 
 /**
  * Cuts triangles along all level sets that they have lines of.
@@ -47,7 +47,7 @@ export function* levelSegments(
   values: Float64Array,
   ranks: Int16Array,
   hasSeams: boolean,
-  aside = NONE_ASIDE,
+  aside = NO_OFFSETS,
 ): Generator<number, LevelSegments, void> {
   let finest = NO_RANK;
   for (let t = 0; t < ranks.length; t++) finest = Math.min(finest, ranks[t]);

@@ -5,14 +5,14 @@ import { NO_RANK } from './levelSegments.js';
 import { finestRank, LEAST_PEN_TONE, plottedOctave, printedOctave } from './lineMarks.js';
 import type { Projection } from './Projection.js';
 import type { PlaceReader } from './paint/PlaceReader.js';
-import type { Shadowing, Toner, Tones } from './Toner.js';
+import type { Shadowing, ToneReader, Tones } from './ToneReader.js';
 
 /** The inputs for tracing the lines of a surface. */
 export interface Tracing {
   surface: LineSurface;
   places: PlaceReader;
   engraver: Engraver;
-  toner: Toner;
+  toneReader: ToneReader;
   projection: Projection;
   /** Per triangle 1 if its front is visible, −1 if its back is, 0 if nothing of it is drawn. */
   sides: Int8Array;
@@ -78,20 +78,20 @@ class VertexReader {
     private readonly families: readonly FamilyName[],
     private readonly into: readonly FamilyVertices[],
   ) {
-    this.shadowings = tracing.toner.hasShadows ? ['none', 'all'] : ['none'];
+    this.shadowings = tracing.toneReader.hasShadows ? ['none', 'all'] : ['none'];
     this.leastTone = tracing.pen === null ? LEAST_TONE : LEAST_PEN_TONE;
   }
 
   read(vertex: number, triangle: number): void {
     const { tracing, families, into, shadowings } = this;
-    const { engraver, toner, places } = tracing;
+    const { engraver, toneReader, places } = tracing;
     const place = places.readVertex(vertex, triangle);
     const at = engraver.at(place);
     for (let i = 0; i < families.length; i++) into[i].values[vertex] = engraver.valueAt(families[i], at);
     for (const paint of places.paintsAt(triangle, place)) {
       place.paint = paint;
       for (const shadowing of shadowings) {
-        const tones = places.hasRelief ? DARKEST : toner.read(place, shadowing);
+        const tones = places.hasRelief ? DARKEST : toneReader.read(place, shadowing);
         for (let i = 0; i < families.length; i++) {
           const measure = engraver.measure(families[i], at, tones);
           const octave = tracing.pen === null ? printedOctave(measure) : plottedOctave(measure, tracing.pen);

@@ -2,14 +2,14 @@ import type { Vec3 } from '../look/vectors.js';
 import { asPhase } from '../mesh/phases.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 import type { EngravedPlace, FamilyName } from './Engraver.js';
+import { evenSpacing } from './evenSpacing.js';
 import { between, type LineSurface, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, type Walk, walkSegments } from './levelSegments.js';
 import { type Line, plottedMark, printedMark } from './lineMarks.js';
 import type { Projection } from './Projection.js';
-import { penAside } from './penAside.js';
 import { type FamilyVertices, ranksOfTriangles, type Tracing } from './readVertices.js';
 import { hash01 } from './shading/hand.js';
-import type { Shadowing, Tones, VertexTones } from './Toner.js';
+import type { Shadowing, Tones, VertexTones } from './ToneReader.js';
 
 /** The rank of the line through the origin, a multiple of all powers of two. */
 const EVERY_RANK = 1000;
@@ -56,7 +56,7 @@ export function* traceFamily(
   const { values } = vertices;
   const ranks = yield* asPhase(ranksOfTriangles(tracing, vertices), 0, 0.02);
   const from = tracing.pen === null ? 0.02 : 0.4;
-  const aside = yield* asPhase(penAside(tracing, family, ranks, tones), 0.02, from);
+  const aside = yield* asPhase(evenSpacing(tracing, family, ranks, tones), 0.02, from);
   const segments = yield* asPhase(levelSegments(surface, values, ranks, engraver.hasSeams, aside), from, 0.5);
   const slopes = yield* asPhase(tracedSlopes(surface, values, segments.triangles, tracing.projection), 0.5, 0.55);
   const chains: Chain[] = [];
@@ -152,19 +152,19 @@ class LineTracer {
 
   /** The appearance of the line at a place of a triangle. */
   measure(numbers: ArrayLike<number>, triangle: number, line: Line): Measured {
-    const { places, toner, isDrawnIn } = this.tracing;
+    const { places, toneReader, isDrawnIn } = this.tracing;
     const place = places.read(numbers, triangle);
     const at = this.tracing.engraver.at(place);
-    if (place.paint !== null && place.paint.standing < 0) {
+    if (place.paint !== null && place.paint.alphaMargin < 0) {
       // In a hole there is no line.
       return { ...this.measureIn('none', at, triangle, line), margin: -1, isHole: true };
     }
-    if (toner.hasSoftShadows && !isDrawnIn) {
+    if (toneReader.hasSoftShadows && !isDrawnIn) {
       // Rays are skipped if there is no line even in the darkest shadow.
-      const darkest = this.measureIn(toner.darkest, at, triangle, line);
+      const darkest = this.measureIn(toneReader.darkest, at, triangle, line);
       if (darkest.margin <= 0) return { ...darkest, isBlank: true };
     }
-    return this.measureIn(toner.hasShadows ? 'traced' : 'none', at, triangle, line);
+    return this.measureIn(toneReader.hasShadows ? 'traced' : 'none', at, triangle, line);
   }
 
   private measureIn(shadowing: Shadowing, engraved: EngravedPlace, triangle: number, line: Line): Measured {
@@ -185,18 +185,18 @@ class LineTracer {
 
   /** The tones at a place. A place on an edge, which both of its triangles ask for, is computed once. */
   private tonesAt(place: SurfacePlace, shadowing: Shadowing): Tones {
-    const { toner, places } = this.tracing;
-    if (places.hasPaint) return toner.read(place, shadowing);
+    const { toneReader, places } = this.tracing;
+    if (places.hasPaint) return toneReader.read(place, shadowing);
     const known = this.known[shadowing];
     if (known && isSame(known.place, place)) return known.tones;
-    const tones = toner.read(place, shadowing);
+    const tones = toneReader.read(place, shadowing);
     this.known[shadowing] = { place, tones };
     return tones;
   }
 
   /** Whether there may be edges of shadows or of holes. */
   get hasEdges(): boolean {
-    return this.tracing.toner.hasShadows || this.tracing.places.hasPaint;
+    return this.tracing.toneReader.hasShadows || this.tracing.places.hasPaint;
   }
 
   /** The difference between the shadows at two places; 0 if it does not matter, and 1 where lines turn or a hole begins. */

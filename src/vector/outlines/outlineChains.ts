@@ -5,7 +5,7 @@ import { fadedPlace, type Projection, transformed } from '../Projection.js';
 import { outlineFadingAt } from '../shading/fading.js';
 import { shadeWeight, wobbleAt } from '../shading/outlines.js';
 import { meanLightAt } from '../shading/radiance.js';
-import type { Illumination } from '../Toner.js';
+import type { Illumination } from '../ToneReader.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
 
 /** Greatest angle between pieces that are joined. Radians, in space, since on the picture unrelated edges may be collinear. */

@@ -104,7 +104,7 @@ class BesideOutline {
  * Sets the width of an outline by what lies behind it, paper or a surface, and widens it where another one ends behind it. Changes the
  * widths of the chain. Yields its progress.
  */
-export function* weighOutline(chain: Chain, bvh: Bvh, projection: Projection): Generator<number, void, void> {
+export function* weighByHierarchy(chain: Chain, bvh: Bvh, projection: Projection): Generator<number, void, void> {
   const { points, width } = chain.outline!;
   const { screen, halves, count, margins } = chain;
   const placeAt = (i: number): ChainPlace => placeOn(chain, Math.min(i, count - 2), i < count - 1 ? 0 : 1, projection);

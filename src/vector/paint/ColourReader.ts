@@ -69,10 +69,10 @@ export class ColourReader {
   }
 
   /** Alpha minus its threshold, at full resolution: below 0 there is a hole. */
-  standingAt(numbers: ArrayLike<number>): number {
+  alphaMarginAt(numbers: ArrayLike<number>): number {
     const { look } = this;
     const map = this.sample(look.map, numbers, 0, 'here');
-    return this.standing(numbers, map, this.sample(look.alphaMap, numbers, 0, 'here'));
+    return this.alphaMargin(numbers, map, this.sample(look.alphaMap, numbers, 0, 'here'));
   }
 
   private read(numbers: ArrayLike<number>, footprint: number, reading: Reading): Paint {
@@ -89,7 +89,7 @@ export class ColourReader {
       emitted,
       around: (look.lightMapIntensity * luminance(light[0], light[1], light[2])) / Math.PI,
       open: 1 - look.aoMapIntensity * (1 - occlusion),
-      standing: this.standing(numbers, map, this.sample(look.alphaMap, numbers, footprint, reading)),
+      alphaMargin: this.alphaMargin(numbers, map, this.sample(look.alphaMap, numbers, footprint, reading)),
     };
   }
 
@@ -146,7 +146,7 @@ export class ColourReader {
     return [m[0] * u + m[1] * v, m[3] * u + m[4] * v];
   }
 
-  private standing(numbers: ArrayLike<number>, map: Rgba, alphaMap: Rgba): number {
+  private alphaMargin(numbers: ArrayLike<number>, map: Rgba, alphaMap: Rgba): number {
     const { alphaTest, opacity, vertexColor: o } = this.look;
     if (alphaTest <= 0) return 1;
     return opacity * map[3] * alphaMap[1] * (o === null ? 1 : numbers[o + 3]) - alphaTest;

@@ -28,7 +28,7 @@ export class Holes {
     const { corners, firstTriangle, stride, numbers } = painted.details;
     const c = 3 * (triangle - firstTriangle);
     const at = interpolated(numbers, stride, [corners[c], corners[c + 1], corners[c + 2]], [1 - u - v, u, v]);
-    return this.painters[i]!.standingAt(at) < 0;
+    return this.painters[i]!.alphaMarginAt(at) < 0;
   }
 
   /** The index of a cutout by bisection: cutouts are sorted by their triangles. */

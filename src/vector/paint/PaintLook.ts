@@ -113,5 +113,5 @@ export interface Paint {
   around: number;
   open: number;
   /** Alpha minus its threshold: above 0 where the surface is not cut out; 1 if nothing is. */
-  standing: number;
+  alphaMargin: number;
 }

@@ -29,7 +29,7 @@ const birthAt = (gap: number, window: number): number =>
   1 + (ORDER[gap] + 1 - (evenlySpread(window, 3) + 1 / 16)) / WINDOW;
 
 /** The offset of a line from its value, units of the function. spacing: of lines there, in the same unit. */
-export function asideOf(value: number, spacing: number): number {
+export function evenOffset(value: number, spacing: number): number {
   const unit = 2 ** topOf(spacing);
   const density = unit / spacing;
   const window = Math.floor(value / (WINDOW * unit));

@@ -25,7 +25,7 @@ import type { ObjectFading } from '../shading/fading.js';
 import type { GroundLook } from '../shading/groundShadow.js';
 import { meanLightAt } from '../shading/radiance.js';
 import { type CurveCubics, localDarkness } from '../shading/tone.js';
-import type { SurfaceLook } from '../Toner.js';
+import type { SurfaceLook } from '../ToneReader.js';
 import type { SceneLights } from './readLights.js';
 import { opacityOf } from './seenThrough.js';
 

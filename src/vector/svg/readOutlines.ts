@@ -28,10 +28,10 @@ import { asPhase } from '../../mesh/phases.js';
 import type { FeatureEdge, OutlineLook, OutlineMesh } from '../outlines/OutlineMesh.js';
 import type { ObjectFading } from '../shading/fading.js';
 import { alphaTestOf } from './PaintReader.js';
-import { bothPlaces, placesOf } from './placesOf.js';
 import type { PosedVertices } from './posedVertices.js';
 import { leftBehind } from './seenThrough.js';
 import { rowsOf } from './surfaceFrame.js';
+import { weldBoth, weldPoints } from './weldPoints.js';
 
 /** Triangles, edges and points per step. */
 const CHUNK = 4096;
@@ -97,12 +97,12 @@ export function* readOutlines(
   const curvatures = yield* asPhase(curvaturesOf(points, pointCount), 0.3, 0.5);
   const { positions, normals } = posePoints(mesh, points, { ...atRest, curvatures }, posed);
   const anchors = atRest.positions;
-  const placesAlong = (of: ArrayLike<number>) => placesOf(of.length / 3, (point, axis) => of[3 * point + axis]);
+  const placesAlong = (of: ArrayLike<number>) => weldPoints(of.length / 3, (point, axis) => of[3 * point + axis]);
   yield 0.5;
   const places = yield* asPhase(placesAlong(anchors), 0.5, 1);
   return {
     ...{ positions, normals, anchors, curvatures, triangles, edges },
-    placeOf: positions === anchors ? places : bothPlaces(places, yield* placesAlong(positions)),
+    placeOf: positions === anchors ? places : weldBoth(places, yield* placesAlong(positions)),
     radius: data.radius || 1,
     toWorld: [...toWorld.elements],
     normalToWorld: rowsOf(new Matrix3().getNormalMatrix(toWorld)),

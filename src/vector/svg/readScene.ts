@@ -26,8 +26,8 @@ import type { DrawnBackground, DrawnScene, EngravedSurface, OutlinedMesh, Stippl
 import { GrowingArray } from '../GrowingArray.js';
 import { moveToOrigin } from '../moveToOrigin.js';
 import { transformed } from '../Projection.js';
-import type { Veil } from '../paint/Fading.js';
 import type { Cutout } from '../paint/PaintLook.js';
+import type { TranslucentRange } from '../paint/Translucency.js';
 import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, untestedBy, whyNoLines } from './leftOut.js';
 import { type MeshCopy, meshCopies } from './meshCopies.js';
 import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
@@ -99,7 +99,7 @@ class SceneReader {
   private readonly outlines: OutlinedMesh[] = [];
   private readonly backgrounds: DrawnBackground[] = [];
   private readonly cutouts: Cutout[] = [];
-  private readonly veils: Veil[] = [];
+  private readonly translucent: TranslucentRange[] = [];
   private readonly paints: PaintReader;
   /** The placements of each visible mesh. */
   private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices }[]>();
@@ -130,7 +130,7 @@ class SceneReader {
       corners: corners.taken(),
       sides: sides.taken(),
       cutouts: this.cutouts,
-      veils: this.veils,
+      translucent: this.translucent,
       ...{ surfaces, stippled, outlines, backgrounds },
       illumination: { lamps, shadows, isSoft: this.hasSoftShadows, around, bias: SHADOW_BIAS * casterSize },
     };
@@ -223,7 +223,7 @@ class SceneReader {
     const first = this.sides.length;
     const left = leftBehind(material, mesh.geometry);
     const seen = left > 0 ? FADING * sidesOf(material) : material.depthWrite ? sidesOf(material) : 0;
-    if (left > 0 && left < 1) this.veils.push({ first, end: first + corners.length / 3, left });
+    if (left > 0 && left < 1) this.translucent.push({ first, end: first + corners.length / 3, left });
     let bits = seen | (mesh.castShadow ? castingOf(material) : 0);
     const cutout = this.cutoutOf(source, { corners, firstTriangle: first });
     if (cutout) {

@@ -22,9 +22,9 @@ import type { SurfaceDetails } from '../paint/PaintLook.js';
 import { formVarying } from '../shading/lineFunctions.js';
 import type { MeshCopy } from './meshCopies.js';
 import { coordinatesOf, type Painted, type PaintNeeds, writeColor } from './PaintReader.js';
-import { bothPlaces, placesOf } from './placesOf.js';
 import type { PosedVertices } from './posedVertices.js';
 import { objectFrame, rowsOf, type SurfaceFrame } from './surfaceFrame.js';
+import { weldBoth, weldPoints } from './weldPoints.js';
 
 /** Vertices per step. */
 const CHUNK = 4096;
@@ -68,10 +68,10 @@ function* placesOfPose(
   { positions, toRest }: PosedVertices,
 ): Generator<number, Uint32Array, void> {
   const { position } = geometry.attributes;
-  const atRest = yield* placesOf(position.count, (vertex, axis) => position.getComponent(vertex, axis));
+  const atRest = yield* weldPoints(position.count, (vertex, axis) => position.getComponent(vertex, axis));
   if (!toRest) return atRest;
-  const asPosed = yield* placesOf(position.count, (vertex, axis) => positions[3 * vertex + axis]);
-  return bothPlaces(atRest, asPosed);
+  const asPosed = yield* weldPoints(position.count, (vertex, axis) => positions[3 * vertex + axis]);
+  return weldBoth(atRest, asPosed);
 }
 
 const transposed = /* @__PURE__ */ new Matrix3();

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { asideOf, penMargin } from '../../../../src/vector/shading/penLines.js';
+import { evenOffset, penMargin } from '../../../../src/vector/shading/penLines.js';
 
 const rankOf = (value: number): number => (value === 0 ? 1000 : Math.log2(value & -value));
 
@@ -7,7 +7,7 @@ const rankOf = (value: number): number => (value === 0 ? 1000 : Math.log2(value 
 function drawnAt(spacing: number, most = 1024): number[] {
   const lines: number[] = [];
   for (let value = 0; value <= most; value++) {
-    if (penMargin(value, rankOf(value), spacing, true) > 0) lines.push(value + asideOf(value, spacing));
+    if (penMargin(value, rankOf(value), spacing, true) > 0) lines.push(value + evenOffset(value, spacing));
   }
   return lines;
 }
@@ -36,13 +36,13 @@ describe('lines of a pen', () => {
 
   test('move without a jump as the tone changes, and are at their places at each octave', { tags: ['all'] }, () => {
     for (const value of [1, 2, 5, 7, 12, 40, 41, 58]) {
-      let before = asideOf(value, 1.999999);
+      let before = evenOffset(value, 1.999999);
       for (let octave = 1; octave < 3; octave += 1e-4) {
-        const aside = asideOf(value, 2 ** octave);
+        const aside = evenOffset(value, 2 ** octave);
         expect(Math.abs(aside - before)).toBeLessThan(0.03);
         before = aside;
       }
-      expect(asideOf(value, 4)).toBe(0);
+      expect(evenOffset(value, 4)).toBe(0);
     }
   });
 });

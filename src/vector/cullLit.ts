@@ -3,7 +3,7 @@ import { CASTS_BACK, CASTS_FRONT } from './Bvh.js';
 import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
 import type { GroundLook } from './shading/groundShadow.js';
 import { arriving } from './shading/radiance.js';
-import type { Illumination } from './Toner.js';
+import type { Illumination } from './ToneReader.js';
 
 /** Bound of the softness of maps, as a share of the distance. */
 const SPREAD = 0.05;
@@ -39,7 +39,7 @@ export function* castingSphere(
 }
 
 /** Removes the triangles of a ground that no shadow can reach, which have no lines. Changes the surface. Yields meanwhile. */
-export function* dropLit(
+export function* cullLit(
   surface: LineSurface,
   casters: CastingSphere | null,
   { lamps, shadows }: Illumination,

@@ -2,11 +2,11 @@ import { smoothstep, vectorAt } from '../look/vectors.js';
 import { asPhase } from '../mesh/phases.js';
 import type { FamilyName } from './Engraver.js';
 import { placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
-import { type LinesAside, NO_RANK } from './levelSegments.js';
+import { type LineOffsets, NO_RANK } from './levelSegments.js';
 import { penDistance } from './lineMarks.js';
 import type { Tracing } from './readVertices.js';
-import { asideOf } from './shading/penLines.js';
-import type { VertexTones } from './Toner.js';
+import { evenOffset } from './shading/penLines.js';
+import type { VertexTones } from './ToneReader.js';
 
 /** Greatest offset of a line, in distances between old lines. */
 const MOST_ASIDE = 1.5;
@@ -18,15 +18,15 @@ const LEAST_LENGTH = 4;
 const ROUNDS = 3;
 
 /** Offsets of the lines of a family that make a pen's lines evenly spaced; none where widths are the tone. */
-export function* penAside(
+export function* evenSpacing(
   tracing: Tracing,
   family: FamilyName,
   ranks: Int16Array,
   tones: VertexTones,
-): Generator<number, LinesAside | undefined, void> {
-  const { pen, toner, engraver, places } = tracing;
+): Generator<number, LineOffsets | undefined, void> {
+  const { pen, toneReader, engraver, places } = tracing;
   // The tones of grounds and of textures vary everywhere.
-  if (pen === null || toner.isGround || engraver.hasSeams || places.hasDetails || engraver.medium !== 'ink')
+  if (pen === null || toneReader.isGround || engraver.hasSeams || places.hasDetails || engraver.medium !== 'ink')
     return undefined;
   const { placeOf, triangles } = tracing.surface;
   const octaves = yield* asPhase(askedOctaves(tracing, family, ranks, tones, pen), 0, 0.6);
@@ -36,7 +36,7 @@ export function* penAside(
   return {
     at(value, vertex) {
       const share = steady[placeOf[vertex]];
-      return share > 0 ? share * asideOf(value, 2 ** octaves[placeOf[vertex]]) : 0;
+      return share > 0 ? share * evenOffset(value, 2 ** octaves[placeOf[vertex]]) : 0;
     },
     mostAt(vertex) {
       const place = placeOf[vertex];

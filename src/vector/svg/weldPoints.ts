@@ -10,7 +10,7 @@ const FREE = -1;
  *
  * @param coordinate of a point along an axis, from 0 to 2
  */
-export function* placesOf(
+export function* weldPoints(
   count: number,
   coordinate: (point: number, axis: number) => number,
 ): Generator<number, Uint32Array, void> {
@@ -50,7 +50,7 @@ function hashOf(x: number, y: number, z: number): number {
 }
 
 /** For each point the first one at the same place in both of two lists. */
-export function bothPlaces(one: Uint32Array, other: Uint32Array): Uint32Array {
+export function weldBoth(one: Uint32Array, other: Uint32Array): Uint32Array {
   const known = new Map<number, number>();
   return one.map((place, point) => {
     const key = place * 2 ** 26 + other[point];

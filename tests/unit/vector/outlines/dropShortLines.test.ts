@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { dropScraps } from '../../../../src/vector/outlines/dropScraps.js';
+import { dropShortLines } from '../../../../src/vector/outlines/dropShortLines.js';
 
 const LIMITS = { shortest: 10, near: 1 };
 
@@ -15,8 +15,8 @@ const along = (from: number, to: number, y = 0) =>
 describe('pieces of outlines that a pen draws', () => {
   test('are left out where they stand alone', () => {
     const [long, short, far] = [along(0, 50), along(52, 58), along(20, 29, 3)];
-    expect(dropScraps([short, long, far], LIMITS)).toEqual([long]);
-    expect(dropScraps([short], LIMITS)).toEqual([]);
+    expect(dropShortLines([short, long, far], LIMITS)).toEqual([long]);
+    expect(dropShortLines([short], LIMITS)).toEqual([]);
   });
 
   test('stay where they meet a long one, at its end or within it', () => {
@@ -26,13 +26,13 @@ describe('pieces of outlines that a pen draws', () => {
       [20.3, 0.4],
       [22, 5],
     ]);
-    expect(dropScraps([goesOn, branches, long], LIMITS)).toEqual([goesOn, branches, long]);
+    expect(dropShortLines([goesOn, branches, long], LIMITS)).toEqual([goesOn, branches, long]);
   });
 
   test('stay where they are long together, and go where they are not', () => {
     const dashes = [along(0, 4), along(4.5, 8), along(8.5, 12)];
-    expect(dropScraps(dashes, LIMITS)).toEqual(dashes);
-    expect(dropScraps(dashes.slice(1), LIMITS)).toEqual([]);
+    expect(dropShortLines(dashes, LIMITS)).toEqual(dashes);
+    expect(dropShortLines(dashes.slice(1), LIMITS)).toEqual([]);
   });
 
   test('stay where they are closed, as the outline of something small is', () => {
@@ -45,6 +45,6 @@ describe('pieces of outlines that a pen draws', () => {
       true,
     );
     const atIt = along(1.5, 3);
-    expect(dropScraps([ring, atIt, along(-9, -4)], LIMITS)).toEqual([ring, atIt]);
+    expect(dropShortLines([ring, atIt, along(-9, -4)], LIMITS)).toEqual([ring, atIt]);
   });
 });

@@ -62,7 +62,7 @@ const { LEAST_RESPONSE } = TONE_CONSTANTS;
 const SHADED: ReceivedShadow = { passing: 0, left: 1 };
 
 /** Computes the tone of a surface under the lights of a scene. */
-export class Toner {
+export class ToneReader {
   private readonly rays: ShadowRays;
 
   constructor(
@@ -160,11 +160,11 @@ export class Toner {
 export class VertexTones {
   private readonly known: Tones[] = [];
 
-  constructor(private readonly toner: Toner) {}
+  constructor(private readonly toneReader: ToneReader) {}
 
   /** The tones of a vertex. place: of the vertex, for the case that it was not read yet. */
   at(vertex: number, place: SurfacePlace): Tones {
-    this.known[vertex] ??= this.toner.read(place, this.toner.hasShadows ? 'traced' : 'none');
+    this.known[vertex] ??= this.toneReader.read(place, this.toneReader.hasShadows ? 'traced' : 'none');
     return this.known[vertex];
   }
 }

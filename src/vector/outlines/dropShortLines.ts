@@ -1,7 +1,7 @@
 import { type LinePath, PATH_STRIDE, pathLength } from '../paths/LinePath.js';
 
 /** Limits for lines that stand alone, pixels. */
-export interface ScrapLimits {
+export interface ShortLineLimits {
   /** Total length below which lines that meet are dropped. */
   shortest: number;
   /** Greatest distance between the end of a line and another line that it meets. */
@@ -14,7 +14,10 @@ const MOST_STEPS = 2 ** 16;
 const ROW = 2 ** 22;
 
 /** Removes paths that stand alone: short open ones that meet no others, or only others that are short in total too. */
-export function dropScraps<Item extends { path: LinePath }>(items: readonly Item[], limits: ScrapLimits): Item[] {
+export function dropShortLines<Item extends { path: LinePath }>(
+  items: readonly Item[],
+  limits: ShortLineLimits,
+): Item[] {
   const lengths = items.map(({ path }) => pathLength(path));
   const isShort = items.map(({ path }, i) => !path.isClosed && lengths[i] < limits.shortest);
   if (!isShort.includes(true)) return [...items];

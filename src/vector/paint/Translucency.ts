@@ -2,11 +2,11 @@ import { combined, cross, dot, type Vec3, vectorAt } from '../../look/vectors.js
 import type { Bvh } from '../Bvh.js';
 import { type LineSurface, placeFrom, readTriangle, STRIDE, WORLD } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
-import type { Toner } from '../Toner.js';
+import type { ToneReader } from '../ToneReader.js';
 import { interpolated, PlaceInTriangle } from './DetailReader.js';
 
 /** A range of triangles of the scene that belong to a see-through surface. */
-export interface Veil {
+export interface TranslucentRange {
   /** The first of them, and the end of the range. */
   first: number;
   end: number;
@@ -22,14 +22,14 @@ const STEPS = 1000;
 const LEAST = 0.02;
 
 /** A hit of a see-through surface. */
-interface MetVeil {
-  veil: Veil;
+interface MetSurface {
+  range: TranslucentRange;
   triangle: number;
   place: number;
 }
 
 /** Computes the visibility of what lies behind see-through surfaces. */
-export class Fading {
+export class Translucency {
   /**
    * @param above height above surfaces at which rays start, world units
    * @param tones tones of see-through surfaces that are hatched themselves
@@ -37,20 +37,20 @@ export class Fading {
   constructor(
     private readonly bvh: Bvh,
     private readonly projection: Projection,
-    private readonly veils: readonly Veil[],
+    private readonly translucent: readonly TranslucentRange[],
     private readonly above: number,
-    private readonly tones: readonly VeilTone[],
+    private readonly tones: readonly TranslucentTone[],
   ) {}
 
   /** Whether there is any such surface. */
   get isThere(): boolean {
-    return this.veils.length > 0;
+    return this.translucent.length > 0;
   }
 
   /** The visible share of a place, from 0 to 1. triangle: that of the place; −1 for none. */
-  leftOf(world: Vec3, triangle: number): number {
+  transmittance(world: Vec3, triangle: number): number {
     if (!this.isThere) return 1;
-    const left = this.meet(world, triangle).reduce((share, { veil }) => share * veil.left, 1);
+    const left = this.meet(world, triangle).reduce((share, { range }) => share * range.left, 1);
     return left < LEAST ? 0 : Math.round(STEPS * left) / STEPS;
   }
 
@@ -62,28 +62,28 @@ export class Fading {
     if (this.tones.length === 0) return 1;
     const { way } = this.projection.wayToEye(...world);
     let factor = 1;
-    for (const { veil, triangle: other, place } of this.meet(world, triangle)) {
+    for (const { range, triangle: other, place } of this.meet(world, triangle)) {
       const printed =
-        this.tones.find(({ first }) => first === veil.first)?.at(other, combined(1, world, place, way)) ?? 0;
-      factor /= Math.max(1 - printed, veil.left);
+        this.tones.find(({ first }) => first === range.first)?.at(other, combined(1, world, place, way)) ?? 0;
+      factor /= Math.max(1 - printed, range.left);
     }
     return factor;
   }
 
-  private meet(world: Vec3, triangle: number): MetVeil[] {
+  private meet(world: Vec3, triangle: number): MetSurface[] {
     const { way, end } = this.projection.wayToEye(...world);
-    const met: MetVeil[] = [];
+    const met: MetSurface[] = [];
     this.bvh.eachFading(world, way, this.above / Math.hypot(...way), end, triangle, (other, place) => {
-      const veil = this.veils.find(({ first, end: last }) => other >= first && other < last);
-      if (veil && !met.some((one) => one.veil === veil && Math.abs(one.place - place) < SAME))
-        met.push({ veil, triangle: other, place });
+      const range = this.translucent.find(({ first, end: last }) => other >= first && other < last);
+      if (range && !met.some((one) => one.range === range && Math.abs(one.place - place) < SAME))
+        met.push({ range, triangle: other, place });
     });
     return met;
   }
 }
 
 /** Computes the tone of a see-through surface, by the triangles that it had before subdivision. */
-export class VeilTone {
+export class TranslucentTone {
   /** The first of its triangles. */
   readonly first: number;
   private readonly surface: LineSurface;
@@ -91,7 +91,7 @@ export class VeilTone {
   /** @param surface before it is subdivided, which changes it */
   constructor(
     surface: LineSurface,
-    private readonly toner: Toner,
+    private readonly toneReader: ToneReader,
     private readonly projection: Projection,
   ) {
     this.surface = { ...surface };
@@ -100,7 +100,7 @@ export class VeilTone {
 
   /** The printed tone at a place of a triangle of the scene. */
   at(triangle: number, world: Vec3): number {
-    const { surface, toner, projection } = this;
+    const { surface, toneReader, projection } = this;
     const { vertices, triangles } = surface;
     const t = triangle - this.first;
     const corners = vectorAt(triangles, 3 * t);
@@ -108,6 +108,6 @@ export class VeilTone {
     const numbers = interpolated(vertices, STRIDE, corners, new PlaceInTriangle(a, b, c).weightsAt(world));
     const { way } = projection.wayToEye(...world);
     const isFront = dot(cross(combined(1, b, -1, a), combined(1, c, -1, a)), way) >= 0;
-    return toner.read(placeFrom(numbers, readTriangle(surface, t), isFront ? 1 : -1), 'none').tone;
+    return toneReader.read(placeFrom(numbers, readTriangle(surface, t), isFront ? 1 : -1), 'none').tone;
   }
 }
