@@ -64,7 +64,7 @@ interface Reading {
   coarsest: number;
   pressure: number;
   /** The share to which the first family has lines here, and the share of side B in what crosses. */
-  has: number;
+  firstShare: number;
   shareB: number;
 }
 
@@ -179,12 +179,12 @@ export class Engraver {
   }
 
   /** The tone that a family prints, before the pressure of the hand. */
-  private toneOf(family: FamilyName, { has, shareB }: Reading, tones: Tones): number {
+  private toneOf(family: FamilyName, { firstShare, shareB }: Reading, tones: Tones): number {
     const { crossFrom, crossesInShadows, medium } = this.look;
     const isPen = medium === 'pen';
     const taken = (tone: number, from: number) => (isPen ? takenOf(tone, from, KEPT_BY_PEN) : takenOf(tone, from));
     const own = crossesInShadows ? tones.unshadowed : tones.tone;
-    const first = has * taken(own, crossFrom);
+    const first = firstShare * taken(own, crossFrom);
     if (family === 'first') return first;
     const others = leftOf(own, first);
     const second = isPen ? taken(others, THIRD_FROM) : others;
@@ -194,7 +194,7 @@ export class Engraver {
     // Two families cross at a slant and would leave rows of rhombs open in the darks: the third leans back.
     else if (family.startsWith('third')) left = leftOf(others, second);
     const leansOther = isShadow || family.startsWith('third');
-    const tone = sharedByTwo(left, leansOther ? otherShare(shareB, has) : shareB)[family.endsWith('B') ? 0 : 1];
+    const tone = sharedByTwo(left, leansOther ? otherShare(shareB, firstShare) : shareB)[family.endsWith('B') ? 0 : 1];
     // Negligible tones have no lines.
     return tone <= LEAST_TONE ? 0 : tone;
   }
@@ -231,7 +231,7 @@ export class Engraver {
     const [first, other] = isAcross ? [formCrossing, form] : [form, formCrossing];
     const coarsest = isAcross ? COARSEST_OCTAVES.toReversed() : COARSEST_OCTAVES;
     const a = readForm(first, field, handmade, medium === 'ink');
-    const rest = { pressure: a.pressure, has: 1, shareB: 1 };
+    const rest = { pressure: a.pressure, firstShare: 1, shareB: 1 };
     if (family === 'first') {
       const { gradient } = first;
       return { value: a.value, gradient, rise: lengthOf(gradient), coarsest: coarsest[0], ...rest };

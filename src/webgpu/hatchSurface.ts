@@ -20,7 +20,7 @@ import { hasShadows } from './nodes/chunks/shadows.js';
 import type { HatchingSurface } from './nodes/chunks/tone.js';
 import { deformVertex, placeInstance } from './nodes/chunks/vertex.js';
 import { emitEngraved } from './nodes/engraved/emit.js';
-import { type LineCut, turnsWithLight } from './nodes/engraved/fields.js';
+import { type LineFieldChoices, turnsWithLight } from './nodes/engraved/fields.js';
 import { hatchLayer, shadowLayer as shadowFamilies } from './nodes/engraved/hatchLayer.js';
 import { read } from './nodes/engraved/read.js';
 
@@ -45,10 +45,10 @@ const isAnchored = ({ technique }: Look): boolean => technique === 'anchored';
 const resolvedFor = (look: Look, builder: NodeBuilder): ResolvedLook =>
   resolveLook(look, isFormed(builder.geometry as BufferGeometry) && hasRoomForForm(builder, isAnchored(look)));
 
-function cutOf({ lineField, shadowStrokes, runsAway }: ResolvedLook, builder: NodeBuilder): LineCut {
-  const cut = { lineField, runsAway, reorients: false };
+function lineFieldOf({ lineField, shadowStrokes, runsAway }: ResolvedLook, builder: NodeBuilder): LineFieldChoices {
+  const field = { lineField, runsAway, reorients: false };
   const reorients = shadowStrokes === 'reorient' && hasShadows(builder, lightsOf(builder));
-  return { ...cut, reorients: reorients && turnsWithLight(cut) };
+  return { ...field, reorients: reorients && turnsWithLight(field) };
 }
 
 /** Positions the vertex as three.js' materials do, and writes the varyings of strokes. */
@@ -62,7 +62,7 @@ export function emitVertex(look: Look, builder: NodeBuilder): void {
   emitOcclusion(builder);
   const anchor = emitAnchor(builder, deformed, place, isAtRest);
   if (isAnchored(look)) emitAnchored(anchor, { isOfForm, isAtRest });
-  else emitEngraved(builder, anchor, { cut: cutOf(resolved, builder), isAtRest, lights: lightsOf(builder) });
+  else emitEngraved(builder, anchor, { field: lineFieldOf(resolved, builder), isAtRest, lights: lightsOf(builder) });
 }
 
 /** The tones of a surface. */
@@ -84,7 +84,11 @@ type Printing = Record<'hatch' | 'shadowLayer', (tone: Value) => Value>;
 function engravedIn(look: Look, { receivedShadows, shadowLeft }: HatchingSurface, builder: NodeBuilder): Printing {
   const resolved = resolvedFor(look, builder);
   const { medium } = resolved;
-  const h = read(builder, cutOf(resolved, builder), medium, { receivedShadows, shadowLeft, lights: lightsOf(builder) });
+  const h = read(builder, lineFieldOf(resolved, builder), medium, {
+    receivedShadows,
+    shadowLeft,
+    lights: lightsOf(builder),
+  });
   return {
     hatch: (tone) => hatchLayer(h, tone, medium),
     shadowLayer: (tone) => shadowFamilies(h, tone, medium),

@@ -11,7 +11,7 @@ uniform float lineContrast; // 1: lines; 0: an even grey of the same tone
 // and sine of the angle at which they cross it.
 float families(const in HatchingParameters h, const in float first, const in float crossing, const in vec2 lean) {
   // Where the first family has no lines, one of the two others leaning back is left out, since both would coincide.
-  float shareB = lean.y < 0.0 ? h.shareB + h.has - 1.0 : h.shareB;
+  float shareB = lean.y < 0.0 ? h.shareB + h.firstShare - 1.0 : h.shareB;
   float blankB = mix(1.0, 1.0 - crossing, shareB);
   float blankC = (1.0 - crossing) / max(blankB, 1e-4);
   // Families without ink are skipped: the one that takes more comes first.
@@ -31,7 +31,7 @@ float families(const in HatchingParameters h, const in float first, const in flo
 
 // All families together leave as much blank as the tone does, Π (1 − Tᵢ).
 float hatchLayer(const in HatchingParameters h, const in float tone) {
-  float first = h.has * takenOf(tone, crossFrom);
+  float first = h.firstShare * takenOf(tone, crossFrom);
   float others = leftOf(tone, first);
   #if MEDIUM == MEDIUM_PEN
     // Two families cross at a slant and would leave rows of rhombs open in the darks: the third leans back.

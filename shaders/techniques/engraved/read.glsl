@@ -10,7 +10,7 @@ uniform mat3 objectToField; // linear part
 struct Family {
   float value;
   float perPixel; // change from one pixel to the next, on the smooth surface
-  float seen; // the same on the flat triangle
+  float trianglePerPixel; // the same on the flat triangle
   float rise; // change along the surface, per tile, by which lines are spaced on the object
   vec3 gradient; // of any length; lines lie across it
   float coarsest; // octave of the widest spacing of its lines

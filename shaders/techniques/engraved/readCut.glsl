@@ -1,6 +1,6 @@
 // Lines cut by a field: level sets of a distance in space.
 #include "technique/fieldAxis"
-#include "technique/fieldHere"
+#include "technique/fieldAtFragment"
 
 struct HatchingParameters {
   vec3 point; // position from the origin of the field, displaced by the hand, tiles
@@ -9,7 +9,7 @@ struct HatchingParameters {
   float value; // of the first family's function
   vec2 valueOnScreen; // its gradient there
   float slope; // its change along the surface
-  float has; // share to which the first family has lines here
+  float firstShare; // share to which the first family has lines here
   vec3 sideB, sideC; // perpendicular to its axis; other families lean towards one of them
   vec3 gradient; // of the first family's function, unit
   float shareB; // share of family B in the crossing tone, by how well its lines cross those of the first on the surface
@@ -17,7 +17,7 @@ struct HatchingParameters {
 
 HatchingParameters readHatchingParameters() {
   HatchingParameters h;
-  Field field = fieldHere(h.sideB);
+  Field field = fieldAtFragment(h.sideB);
   vec3 normal = safeNormalize(vFieldNormal);
   vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
   h.point = handPoint(vFieldPoint, waves);
@@ -29,18 +29,18 @@ HatchingParameters readHatchingParameters() {
   h.valueOnScreen = screenGradient(h.gradient, h.onScreen);
   float along = dot(normal, h.gradient);
   h.slope = sqrt(max(1.0 - along * along, 1e-12));
-  h.has = smoothstep(BARE_SLOPE.x, BARE_SLOPE.y, h.slope);
+  h.firstShare = smoothstep(BARE_SLOPE.x, BARE_SLOPE.y, h.slope);
   h.sideC = cross(field.axis, h.sideB);
   float acrossB = dot(normal, h.sideC);
   float acrossC = dot(normal, h.sideB);
   float between = (acrossB * acrossB - acrossC * acrossC) / max(h.slope * h.slope, 1e-4);
-  h.shareB = mix(1.0, smoothstep(-SIDE_FADE, SIDE_FADE, between), h.has);
+  h.shareB = mix(1.0, smoothstep(-SIDE_FADE, SIDE_FADE, between), h.firstShare);
   return h;
 }
 
 Family firstFamily(const in HatchingParameters h) {
-  float seen = length(screenGradient(h.gradient, h.triangle));
-  return Family(h.value, length(h.valueOnScreen), seen, min(h.slope / SPARSEST_SLOPE, 1.0), h.gradient, ANY_OCTAVE);
+  float trianglePerPixel = length(screenGradient(h.gradient, h.triangle));
+  return Family(h.value, length(h.valueOnScreen), trianglePerPixel, min(h.slope / SPARSEST_SLOPE, 1.0), h.gradient, ANY_OCTAVE);
 }
 
 // isB: the side towards which it leans. lean: cosine and sine of the angle at which it crosses the first.
@@ -48,8 +48,8 @@ Family crossingFamily(const in HatchingParameters h, const in bool isB, const in
   vec3 side = isB ? h.sideB : h.sideC;
   float perPixel = length(lean.x * h.valueOnScreen + lean.y * screenGradient(side, h.onScreen));
   vec3 gradient = lean.x * h.gradient + lean.y * side;
-  float seen = length(screenGradient(gradient, h.triangle));
-  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, seen, 1.0, gradient, ANY_OCTAVE);
+  float trianglePerPixel = length(screenGradient(gradient, h.triangle));
+  return Family(lean.x * h.value + lean.y * dot(h.point, side), perPixel, trianglePerPixel, 1.0, gradient, ANY_OCTAVE);
 }
 
 vec2 fieldUv(const in HatchingParameters h) {

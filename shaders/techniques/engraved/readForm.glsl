@@ -5,7 +5,7 @@
 
 struct HatchingParameters {
   float pressure; // of the hand
-  float has; // the first family has lines everywhere
+  float firstShare; // the first family has lines everywhere
   mat2x3 onScreen, triangle; // of the smooth surface, and of the flat triangle
   vec3 gradient, crossingGradient; // of the first family's function, and of the crossing one
   vec2 values;
@@ -44,7 +44,7 @@ HatchingParameters readHatchingParameters() {
     // Strokes and cuts have variations of their own.
     h.pressure += handmade * WIDTH_WAVE * waves.z;
   #endif // MEDIUM
-  h.has = 1.0;
+  h.firstShare = 1.0;
   h.values = vec2(formValueAt(first, stray), formValueAt(crossing, stray));
   h.gradient = first.xyz;
   h.crossingGradient = crossing.xyz;
@@ -59,8 +59,8 @@ HatchingParameters readHatchingParameters() {
 }
 
 Family firstFamily(const in HatchingParameters h) {
-  float seen = length(screenGradient(h.gradient, h.triangle));
-  return Family(h.values.x, length(h.valueOnScreen), seen, h.rises.x, h.gradient, h.coarsest.x);
+  float trianglePerPixel = length(screenGradient(h.gradient, h.triangle));
+  return Family(h.values.x, length(h.valueOnScreen), trianglePerPixel, h.rises.x, h.gradient, h.coarsest.x);
 }
 
 // lean: cosine and sine of the angle; a negative sine leans the other way. The difference of the two functions is whole across seams too,
@@ -71,8 +71,8 @@ Family crossingFamily(const in HatchingParameters h, const in bool isB, const in
   vec2 onScreen = isOther ? h.valueOnScreen - h.crossingOnScreen : h.crossingOnScreen;
   vec3 gradient = isOther ? h.gradient - h.crossingGradient : h.crossingGradient;
   float coarsest = isOther ? min(h.coarsest.x, h.coarsest.y) : h.coarsest.y;
-  float seen = length(screenGradient(gradient, h.triangle));
-  return Family(value, length(onScreen), seen, h.rises.y, gradient, coarsest);
+  float trianglePerPixel = length(screenGradient(gradient, h.triangle));
+  return Family(value, length(onScreen), trianglePerPixel, h.rises.y, gradient, coarsest);
 }
 
 vec2 fieldUv(const in HatchingParameters h) {

@@ -60,9 +60,9 @@ float powerOf2(const in float octave) {
 
 // The darkness of a family.
 float ruledLines(const in HatchingParameters h, const in Family family, const in float tone) {
-  float seen = max(family.seen, max(LEAST_OF_SMOOTH * family.perPixel, 1e-12));
+  float trianglePerPixel = max(family.trianglePerPixel, max(LEAST_OF_SMOOTH * family.perPixel, 1e-12));
   // Smooth normals space lines evenly over the triangles of a round body; on coarse meshes they may be far off.
-  float perPixel = clamp(family.perPixel, seen / MOST_OFF_TRIANGLE, seen * MOST_OFF_TRIANGLE);
+  float perPixel = clamp(family.perPixel, trianglePerPixel / MOST_OFF_TRIANGLE, trianglePerPixel * MOST_OFF_TRIANGLE);
   float onObject = octaves(WANTED_SPACING / PARTS_OF_TILE * family.rise);
   float onScreen = octaves(WANTED_SPACING * perPixel);
   float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
@@ -73,8 +73,8 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   float period = powerOf2(ceil(octave));
   // Old lines stay as wide as at exactly this spacing, which changes least as the camera comes nearer. The room that they leave is that of
   // the new ones, which are as wide when the next octave begins.
-  float pixels = period / seen;
-  float spacing = powerOf2(octave) / seen;
+  float pixels = period / trianglePerPixel;
+  float spacing = powerOf2(octave) / trianglePerPixel;
   float x = family.value / period;
   float below = floor(x);
   #if MEDIUM == MEDIUM_PEN

@@ -21,7 +21,7 @@ export function sharedByTwo(tone: number, shareB: number): readonly [number, num
 }
 
 /**
- * The share of side B among families that lean back. Where the first family has no lines, `has` being 0, one of them is left out, since
+ * The share of side B among families that lean back. Where the first family has no lines, `firstShare` being 0, one of them is left out, since
  * both would coincide with those that cross.
  */
-export const otherShare = (shareB: number, has: number): number => shareB + has - 1;
+export const otherShare = (shareB: number, firstShare: number): number => shareB + firstShare - 1;

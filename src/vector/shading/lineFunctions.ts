@@ -37,7 +37,7 @@ export interface CutReading {
   /** Change of the function along the surface. */
   slope: number;
   /** The share to which the first family has lines here. */
-  has: number;
+  firstShare: number;
   /** The share of side B in the crossing tone. */
   shareB: number;
 }
@@ -48,10 +48,10 @@ export function readCut({ field, sideB, sideC }: CutFamilies, place: Vec3, norma
   const point = handPoint(place, waves, handmade);
   const { value, gradient } = fieldAt(field, point);
   const slope = Math.max(lengthOf(cross(normal, gradient)), 1e-6);
-  const has = smoothstep(BARE_SLOPE[0], BARE_SLOPE[1], slope);
+  const firstShare = smoothstep(BARE_SLOPE[0], BARE_SLOPE[1], slope);
   const between = (dot(normal, sideC) ** 2 - dot(normal, sideB) ** 2) / Math.max(slope * slope, 1e-4);
-  const shareB = 1 + has * (smoothstep(-SIDE_FADE, SIDE_FADE, between) - 1);
-  return { point, pressure: handPressure(waves, handmade), value, gradient, slope, has, shareB };
+  const shareB = 1 + firstShare * (smoothstep(-SIDE_FADE, SIDE_FADE, between) - 1);
+  return { point, pressure: handPressure(waves, handmade), value, gradient, slope, firstShare, shareB };
 }
 
 const sideOf = ({ sideB, sideC }: CutFamilies, side: 'B' | 'C'): Vec3 => (side === 'B' ? sideB : sideC);

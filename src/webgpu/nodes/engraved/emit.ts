@@ -15,7 +15,7 @@ import {
   formValue,
   formVarying,
   isByVertex,
-  type LineCut,
+  type LineFieldChoices,
   turnsWithLight,
   vField,
   vFieldLight,
@@ -31,13 +31,13 @@ const fieldOrigin = /* @__PURE__ */ hatchingUniform('fieldOrigin', 'vec3');
 export const objectToField: Value = /* @__PURE__ */ hatchingUniform('objectToField', 'mat3');
 const objectToFieldNormal = /* @__PURE__ */ hatchingUniform('objectToFieldNormal', 'mat3');
 
-/** @param cut the field that lines are level sets of */
+/** @param field the field that lines are level sets of */
 export function emitEngraved(
   builder: NodeBuilder,
   anchor: Anchor,
-  { cut, isAtRest, lights }: { cut: LineCut; isAtRest: boolean; lights: readonly Light[] },
+  { field, isAtRest, lights }: { field: LineFieldChoices; isAtRest: boolean; lights: readonly Light[] },
 ): void {
-  const { lineField } = cut;
+  const { lineField } = field;
   vFieldPoint.assign(objectToField.mul(anchor.position.sub(fieldOrigin)));
   vFieldNormal.assign(objectToFieldNormal.mul(anchor.strokeNormal));
   if (followsForm(lineField)) {
@@ -48,8 +48,8 @@ export function emitEngraved(
     vFormCrossing.assign(isAcross ? along : across);
     return;
   }
-  const light = turnsWithLight(cut) ? lightOfField(builder, anchor, isAtRest, lights) : vec4(0, 1, 0, 0);
-  if (isByVertex(cut)) vField.assign(firstField(light, cut));
+  const light = turnsWithLight(field) ? lightOfField(builder, anchor, isAtRest, lights) : vec4(0, 1, 0, 0);
+  if (isByVertex(field)) vField.assign(firstField(light, field));
   else vFieldLight.assign(light);
 }
 

@@ -125,7 +125,7 @@ export function fieldLight(
 /** Counterpart of shaders/techniques/engraved/fieldAxis.glsl: the function whose level sets are lines. */
 
 /** The choices for lines cut by a field. */
-export interface LineCut {
+export interface LineFieldChoices {
   /** The choice `lineField`. */
   lineField: string;
   /** Whether lines run away from the light, as those of a ground that shows shadows alone. */
@@ -135,11 +135,11 @@ export interface LineCut {
 }
 
 /** Whether the light directs the lines. */
-export const turnsWithLight = ({ lineField, runsAway }: LineCut): boolean =>
+export const turnsWithLight = ({ lineField, runsAway }: LineFieldChoices): boolean =>
   runsAway || lineField === 'light' || lineField === 'towards';
 
 /** Whether the field is the same for a whole object. */
-export const isByVertex = ({ runsAway, reorients }: LineCut): boolean => !runsAway && !reorients;
+export const isByVertex = ({ runsAway, reorients }: LineFieldChoices): boolean => !runsAway && !reorients;
 
 /** A unit vector across another, continuous in it. */
 export const across = (axis: Value): Value =>
@@ -171,7 +171,7 @@ function acrossGround(light: Value): Value {
  *
  * @param light unit direction towards it, and reciprocal of its distance, field space
  */
-export function firstField(light: Value, { lineField, runsAway }: LineCut): Value {
+export function firstField(light: Value, { lineField, runsAway }: LineFieldChoices): Value {
   if (runsAway) return vec4(acrossGround(light.xyz), 0);
   const { x, y } = strokeDirection;
   const aside = across(light.xyz);

@@ -26,7 +26,7 @@ export function families(
   const { x, y, z, w } = layerTurns;
   const lean = isOther ? ([z.negate(), w.negate()] as const) : ([x, y] as const);
   // Where the first family has no lines, one of the two others leaning back is left out, since both would coincide.
-  const shareB = isOther ? h.shareB.add(h.has).sub(1) : h.shareB;
+  const shareB = isOther ? h.shareB.add(h.firstShare).sub(1) : h.shareB;
   const blankB = mix(1, crossing.oneMinus(), shareB).toVar();
   const blankC = crossing.oneMinus().div(max(blankB, 1e-4)).toVar();
   const blank = float(1).toVar();
@@ -49,7 +49,7 @@ export const contrasted = (tone: Value, darkness: Value): Value =>
 /** All families together leave as much blank as the tone does. */
 export function hatchLayer(h: HatchingParameters, tone: Value, medium: Medium): Value {
   const kept = medium === 'pen' ? TONE_CONSTANTS.KEPT_BY_PEN : TONE_CONSTANTS.KEPT_SHARE;
-  const first = h.has.mul(takenOf(tone, crossFrom, kept)).toVar();
+  const first = h.firstShare.mul(takenOf(tone, crossFrom, kept)).toVar();
   const others = leftOf(tone, first).toVar();
   let darkness: Value;
   if (medium === 'pen') {

@@ -14,7 +14,7 @@ import {
   fieldLight,
   firstField,
   isByVertex,
-  type LineCut,
+  type LineFieldChoices,
   vField,
   vFieldLight,
   vFieldNormal,
@@ -35,7 +35,7 @@ export interface Family {
   /** Its change from one pixel to the next, on the smooth surface. */
   perPixel: Value;
   /** Its change from one pixel to the next on the flat triangle. */
-  seen: Value;
+  trianglePerPixel: Value;
   /** Its change along the surface, per tile, by which lines are spaced on the object. */
   rise: Value;
   /** Its gradient, of any length; lines lie across it. */
@@ -62,7 +62,7 @@ export interface HatchingParameters {
   /** Pressure of the hand. */
   pressure: Value;
   /** The share to which the first family has lines here. */
-  has: Value;
+  firstShare: Value;
   /** The share of the crossing tone that family B takes. */
   shareB: Value;
   firstFamily(): Family;
@@ -76,7 +76,7 @@ export interface HatchingParameters {
   crossingFamily(isB: boolean, lean: readonly [cosine: Value, sine: Value], isOther: boolean): Family;
 }
 
-/** Counterpart of shaders/techniques/engraved/fieldHere.glsl: the field at this fragment. */
+/** Counterpart of shaders/techniques/engraved/fieldAtFragment.glsl: the field at this fragment. */
 
 /**
  * The light of the field, from the lights that arrive; where none does, a direction across it. It is constant where the same lights arrive.
@@ -100,22 +100,22 @@ function arrivingLight(
   return light;
 }
 
-export const fieldHere = (
+export const fieldAtFragment = (
   builder: NodeBuilder,
-  cut: LineCut,
+  choices: LineFieldChoices,
   lights: readonly Light[],
   receivedShadows: readonly ReceivedShadow[],
 ): Value =>
-  (isByVertex(cut) ? vField : firstField(arrivingLight(builder, lights, receivedShadows).toVar(), cut)).toVar();
+  (isByVertex(choices) ? vField : firstField(arrivingLight(builder, lights, receivedShadows).toVar(), choices)).toVar();
 
 /** Counterpart of shaders/techniques/engraved/readCut.glsl: lines that are level sets of a field in space. */
 
 export function readCutLines(
   builder: NodeBuilder,
-  cut: LineCut,
+  choices: LineFieldChoices,
   { lights, receivedShadows, shadowLeft }: LinesInShadow,
 ): HatchingParameters {
-  const field = fieldHere(builder, cut, lights, receivedShadows);
+  const field = fieldAtFragment(builder, choices, lights, receivedShadows);
   const place = vFieldPoint.toVar();
   const normal = normalize(vFieldNormal).toVar();
   const waves = slowWaves(place.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
@@ -126,7 +126,7 @@ export function readCutLines(
   const { value, gradient } = fieldAt(field, point);
   const along = dot(normal, gradient).toVar();
   const slope = sqrt(max(along.mul(along).oneMinus(), 1e-12)).toVar();
-  const has = smoothstep(BARE_SLOPE[0], BARE_SLOPE[1], slope).toVar();
+  const firstShare = smoothstep(BARE_SLOPE[0], BARE_SLOPE[1], slope).toVar();
   const sideB = across(field.xyz).toVar();
   const sideC = cross(field.xyz, sideB).toVar();
   const b = dot(normal, sideC).toVar();
@@ -135,18 +135,18 @@ export function readCutLines(
     .mul(b)
     .sub(c.mul(c))
     .div(max(slope.mul(slope), 1e-4));
-  const shareB = mix(1, smoothstep(-SIDE_FADE, SIDE_FADE, between), has).toVar();
+  const shareB = mix(1, smoothstep(-SIDE_FADE, SIDE_FADE, between), firstShare).toVar();
   const valueOnScreen = screenGradient(gradient, onScreen).toVar();
   return {
     onScreen,
     shadowLeft,
     pressure: handPressure(waves).toVar(),
-    has,
+    firstShare,
     shareB,
     firstFamily: () => ({
       value,
       perPixel: length(valueOnScreen),
-      seen: length(screenGradient(gradient, triangle)),
+      trianglePerPixel: length(screenGradient(gradient, triangle)),
       rise: min(slope.div(SPARSEST_SLOPE), 1),
       gradient,
       coarsest: FIELD_CONSTANTS.ANY_OCTAVE,
@@ -158,7 +158,7 @@ export function readCutLines(
       return {
         value: cosine.mul(value).add(sine.mul(dot(point, side))),
         perPixel: length(valueOnScreen.mul(cosine).add(screenGradient(side, onScreen).mul(sine))),
-        seen: length(screenGradient(leaning, triangle)),
+        trianglePerPixel: length(screenGradient(leaning, triangle)),
         rise: float(1),
         gradient: leaning,
         coarsest: FIELD_CONSTANTS.ANY_OCTAVE,
@@ -208,12 +208,12 @@ export function readFormLines(
     onScreen,
     shadowLeft,
     pressure: pressure.toVar(),
-    has: float(1),
+    firstShare: float(1),
     shareB: float(1),
     firstFamily: () => ({
       value: values[0],
       perPixel: length(valueOnScreen),
-      seen: length(screenGradient(first.xyz, triangle)),
+      trianglePerPixel: length(screenGradient(first.xyz, triangle)),
       rise: length(first.xyz),
       gradient: first.xyz,
       coarsest: coarsest.x,
@@ -226,7 +226,7 @@ export function readFormLines(
       return {
         value: isOther ? values[0].sub(values[1]) : values[1],
         perPixel: length(isOther ? valueOnScreen.sub(crossingOnScreen) : crossingOnScreen),
-        seen: length(screenGradient(gradient, triangle)),
+        trianglePerPixel: length(screenGradient(gradient, triangle)),
         rise: length(crossing.xyz),
         gradient,
         coarsest: isOther ? Math.min(along, across) : coarsest.y,
@@ -237,10 +237,15 @@ export function readFormLines(
 }
 
 /**
- * Counterpart of shaders/techniques/engraved/read.glsl: the parameters of engraving at this fragment. @param cut the field that lines are
+ * Counterpart of shaders/techniques/engraved/read.glsl: the parameters of engraving at this fragment. @param choices the field that lines are
  * level sets of
  */
-export const read = (builder: NodeBuilder, cut: LineCut, medium: Medium, shadow: LinesInShadow): HatchingParameters =>
-  followsForm(cut.lineField)
-    ? readFormLines(builder, { isAcross: cut.lineField === 'acrossForm', medium }, shadow)
-    : readCutLines(builder, cut, shadow);
+export const read = (
+  builder: NodeBuilder,
+  choices: LineFieldChoices,
+  medium: Medium,
+  shadow: LinesInShadow,
+): HatchingParameters =>
+  followsForm(choices.lineField)
+    ? readFormLines(builder, { isAcross: choices.lineField === 'acrossForm', medium }, shadow)
+    : readCutLines(builder, choices, shadow);

@@ -65,8 +65,12 @@ function coveringBy(
 /** The darkness of a family. */
 export function ruledLines(h: HatchingParameters, family: Family, tone: Value, medium: Medium): Value {
   const { LEAST_OF_SMOOTH, MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;
-  const seen = max(family.seen, max(family.perPixel.mul(LEAST_OF_SMOOTH), 1e-12)).toVar();
-  const perPixel = clamp(family.perPixel, seen.div(MOST_OFF_TRIANGLE), seen.mul(MOST_OFF_TRIANGLE)).toVar();
+  const trianglePerPixel = max(family.trianglePerPixel, max(family.perPixel.mul(LEAST_OF_SMOOTH), 1e-12)).toVar();
+  const perPixel = clamp(
+    family.perPixel,
+    trianglePerPixel.div(MOST_OFF_TRIANGLE),
+    trianglePerPixel.mul(MOST_OFF_TRIANGLE),
+  ).toVar();
   const wanted = h.shadowLeft ? lineSpacing.mul(shadowSpacing).toVar() : lineSpacing;
   const onObject = octaves(wanted.div(PARTS_OF_TILE).mul(family.rise).toVar());
   const onScreen = octaves(wanted.mul(perPixel).toVar());
@@ -74,8 +78,8 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value, m
   if (medium === 'woodcut') octave.addAssign(rowOctaves(rowTone(h, tone)));
   octave.assign(min(octave, family.coarsest));
   const period = powerOf2(ceil(octave)).toVar();
-  const pixels = period.div(seen).toVar();
-  const spacing = powerOf2(octave).div(seen).toVar();
+  const pixels = period.div(trianglePerPixel).toVar();
+  const spacing = powerOf2(octave).div(trianglePerPixel).toVar();
   const x = family.value.div(period).toVar();
   const below = floor(x).toVar();
   const oldRoom = spacing.mul(0.5).toVar();

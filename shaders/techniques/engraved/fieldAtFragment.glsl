@@ -29,7 +29,7 @@
 #endif // FIELD_BY_VERTEX
 
 // side: a unit vector across the axis.
-Field fieldHere(out vec3 side) {
+Field fieldAtFragment(out vec3 side) {
   #ifdef FIELD_BY_VERTEX
     side = vFieldSide;
     return Field(vField.xyz, vField.w);
