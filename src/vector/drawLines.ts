@@ -96,7 +96,6 @@ function placePicture({ camera }: DrawnScene, plan: DrawingPlan): { projection: 
 
 const drawing: Task<{ scene: DrawnScene; plan: DrawingPlan }, LineDrawing> = {
   run: ({ scene, plan }) => drawLines(scene, plan),
-  resultBuffers: () => [],
 };
 
 /** The tasks of the worker that draws lines. */

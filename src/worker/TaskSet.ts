@@ -1,11 +1,9 @@
-/** A long computation that a worker can run. Requests and results are plain data. */
+/** A long computation that a worker can run. Requests and results are plain data; the arrays of a result are transferred. */
 export interface Task<Request, Result> {
   /** Loads what the task needs before it runs, such as third-party code. */
-  prepare?(request: Request): Promise<void>;
+  prepare?: ((request: Request) => Promise<void>) | undefined;
   /** Yields its progress in [0, 1] every few milliseconds of work. */
   run(request: Request): Generator<number, Result, void>;
-  /** The buffers that are transferred back with the result. */
-  resultBuffers(result: Result): ArrayBuffer[];
 }
 
 /** Tasks by name, of any types. */
@@ -13,15 +11,15 @@ export type Tasks = Readonly<
   Record<
     string,
     {
-      prepare?(request: never): Promise<void>;
+      prepare?: ((request: never) => Promise<void>) | undefined;
       run(request: never): Generator<number, unknown, void>;
-      resultBuffers(result: never): ArrayBuffer[];
     }
   >
 >;
 export type NameIn<All extends Tasks> = keyof All & string;
 export type RequestOf<All extends Tasks, Name extends keyof All> = Parameters<All[Name]['run']>[0];
-export type ResultOf<All extends Tasks, Name extends keyof All> = Parameters<All[Name]['resultBuffers']>[0];
+export type ResultOf<All extends Tasks, Name extends keyof All> =
+  ReturnType<All[Name]['run']> extends Generator<number, infer Result, void> ? Result : never;
 
 /** A task without its types, which the caller has checked. */
 export type AnyTask = Task<unknown, unknown>;

@@ -35,3 +35,15 @@ export function unpackError({ name, message }: TransportedError): Error {
   error.name = name;
   return error;
 }
+
+/** The buffers of all typed arrays in plain data, each once. A message with the data can transfer them. */
+export function buffersIn(data: unknown): ArrayBuffer[] {
+  const found = new Set<ArrayBuffer>();
+  const visit = (value: unknown): void => {
+    if (typeof value !== 'object' || value === null) return;
+    if (!ArrayBuffer.isView(value)) Object.values(value).forEach(visit);
+    else if (value.buffer instanceof ArrayBuffer) found.add(value.buffer);
+  };
+  visit(data);
+  return [...found];
+}

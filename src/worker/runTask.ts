@@ -1,31 +1,29 @@
-import {
-  bakeRequestBuffers,
-  contourSearchBuffers,
-  detailRequestBuffers,
-  jointRequestBuffers,
-  occlusionMeshBuffers,
-  occlusionSceneBuffers,
-} from '../mesh/requestBuffers.js';
-import { imageBuffers } from '../strokes/tamImages/HatchImages.js';
+import type { SurfaceRequest } from '../mesh/bake/bakeSurface.js';
+import type { VertexWords } from '../mesh/bake/vertexWords.js';
+import { buffersIn } from './protocol.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 import type { BakingTasks } from './tasks.js';
 import type { CreateWorker, PoolsOf, WorkerPool } from './WorkerPool.js';
 
+/** A request that is made again has new copies of the mesh and its attributes, and the same of all else. */
+const ofMesh = ({ mesh, attributes }: SurfaceRequest & { attributes?: VertexWords[] }): ArrayBuffer[] =>
+  buffersIn([mesh, attributes]);
+
 /** The buffers that are transferred with a request, so that the sender loses them. */
 const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
-  bakeCorners: bakeRequestBuffers,
-  bakeIndexed: bakeRequestBuffers,
-  bakeJointForms: jointRequestBuffers,
-  bakePull: bakeRequestBuffers,
-  searchContours: contourSearchBuffers,
+  bakeCorners: ofMesh,
+  bakeIndexed: ofMesh,
+  bakeJointForms: buffersIn,
+  bakePull: ofMesh,
+  searchContours: buffersIn,
   generateHatchImages: () => [],
   generateThresholds: () => [],
-  completeHatchImages: imageBuffers,
-  simplifyHatched: detailRequestBuffers,
-  startOcclusion: occlusionMeshBuffers,
-  addDirections: ({ scene, sums = [] }) => [...occlusionSceneBuffers(scene), ...sums.map(({ buffer }) => buffer)],
+  completeHatchImages: buffersIn,
+  simplifyHatched: buffersIn,
+  startOcclusion: buffersIn,
+  addDirections: buffersIn,
 };
 
 /** The tasks that bake geometry and draw the images of maps. */

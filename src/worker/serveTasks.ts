@@ -1,6 +1,6 @@
 import { runSliced } from '../mesh/phases.js';
 import { holdLifeLock } from './lifeLock.js';
-import { type FromWorker, packError, type ToWorker } from './protocol.js';
+import { buffersIn, type FromWorker, packError, type ToWorker } from './protocol.js';
 import type { AnyTask, Tasks } from './TaskSet.js';
 
 /** Milliseconds between two progress messages. A message after every slice took a twentieth of the time. */
@@ -40,7 +40,7 @@ export function serveTasks(tasks: Tasks): void {
           scope.postMessage({ type: 'progress', id, progress });
         },
       });
-      scope.postMessage({ type: 'done', id, result }, task.resultBuffers(result));
+      scope.postMessage({ type: 'done', id, result }, buffersIn(result));
     } catch (error) {
       if (!controller.signal.aborted) scope.postMessage({ type: 'failed', id, error: packError(error) });
     } finally {

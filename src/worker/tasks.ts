@@ -1,55 +1,35 @@
-import { bakeCorners, bakeCornersResultBuffers } from '../mesh/bake/bakeCorners.js';
-import { bakeIndexed, bakeIndexedResultBuffers } from '../mesh/bake/bakeIndexed.js';
-import { bakeJointForms, jointFormsBuffers } from '../mesh/bake/bakeJointForms.js';
-import { bakePull, bakePullResultBuffers } from '../mesh/bake/bakePull.js';
+import { bakeCorners } from '../mesh/bake/bakeCorners.js';
+import { bakeIndexed } from '../mesh/bake/bakeIndexed.js';
+import { bakeJointForms } from '../mesh/bake/bakeJointForms.js';
+import { bakePull } from '../mesh/bake/bakePull.js';
 import { loadSimplifier } from '../mesh/detail/loadSimplifier.js';
-import type { DetailLevels } from '../mesh/detail/makeLevels.js';
 import { simplifyHatched } from '../mesh/detail/simplifyHatched.js';
-import { type ContourSearchResult, searchContours } from '../mesh/features/contourCandidates.js';
+import { searchContours } from '../mesh/features/contourCandidates.js';
 import { addDirections } from '../mesh/occlusion/addDirections.js';
 import { startOcclusion } from '../mesh/occlusion/startOcclusion.js';
-import { contourSearchBuffers, occlusionSceneBuffers } from '../mesh/requestBuffers.js';
-import type { ThresholdLevel } from '../strokes/tamImages/encodeThresholds.js';
 import { generateHatchImages } from '../strokes/tamImages/generateHatchImages.js';
 import { generateThresholds } from '../strokes/tamImages/generateThresholds.js';
-import { imageBuffers } from '../strokes/tamImages/HatchImages.js';
 import { completeHatchImages } from '../strokes/tamImages/makeLevels.js';
 import type { Task } from './TaskSet.js';
 
-const task = <Request, Result>(definition: Task<Request, Result>): Task<Request, Result> => definition;
-
-const thresholdBuffers = (levels: ThresholdLevel[]): ArrayBuffer[] =>
-  levels.flatMap(({ thresholds, encoded }) => [thresholds.buffer as ArrayBuffer, encoded.buffer as ArrayBuffer]);
+const task = <Request, Result>(
+  run: Task<Request, Result>['run'],
+  prepare?: Task<Request, Result>['prepare'],
+): Task<Request, Result> => ({ run, prepare });
 
 /** All tasks of the worker, by name. */
 export const tasks = {
-  bakeCorners: /* @__PURE__ */ task({ run: bakeCorners, resultBuffers: bakeCornersResultBuffers }),
-  bakeIndexed: /* @__PURE__ */ task({ run: bakeIndexed, resultBuffers: bakeIndexedResultBuffers }),
-  bakeJointForms: /* @__PURE__ */ task({ run: bakeJointForms, resultBuffers: jointFormsBuffers }),
-  bakePull: /* @__PURE__ */ task({ run: bakePull, resultBuffers: bakePullResultBuffers }),
-  searchContours: /* @__PURE__ */ task({
-    run: searchContours,
-    resultBuffers: ({ search }: ContourSearchResult) => contourSearchBuffers({ search }),
-  }),
-  generateHatchImages: /* @__PURE__ */ task({ run: generateHatchImages, resultBuffers: imageBuffers }),
-  generateThresholds: /* @__PURE__ */ task({ run: generateThresholds, resultBuffers: thresholdBuffers }),
-  completeHatchImages: /* @__PURE__ */ task({
-    run: completeHatchImages,
-    resultBuffers: (result) => [...imageBuffers(result), ...thresholdBuffers(result.thresholds)],
-  }),
-  simplifyHatched: /* @__PURE__ */ task({
-    prepare: ({ simplifier }) => loadSimplifier(simplifier),
-    run: simplifyHatched,
-    resultBuffers: ({ indices }: DetailLevels) => [indices.buffer],
-  }),
-  startOcclusion: /* @__PURE__ */ task({ run: startOcclusion, resultBuffers: occlusionSceneBuffers }),
-  addDirections: /* @__PURE__ */ task({
-    run: addDirections,
-    resultBuffers: ({ scene, occlusions }) => [
-      ...occlusionSceneBuffers(scene),
-      ...occlusions.map(({ buffer }) => buffer),
-    ],
-  }),
+  bakeCorners: /* @__PURE__ */ task(bakeCorners),
+  bakeIndexed: /* @__PURE__ */ task(bakeIndexed),
+  bakeJointForms: /* @__PURE__ */ task(bakeJointForms),
+  bakePull: /* @__PURE__ */ task(bakePull),
+  searchContours: /* @__PURE__ */ task(searchContours),
+  generateHatchImages: /* @__PURE__ */ task(generateHatchImages),
+  generateThresholds: /* @__PURE__ */ task(generateThresholds),
+  completeHatchImages: /* @__PURE__ */ task(completeHatchImages),
+  simplifyHatched: /* @__PURE__ */ task(simplifyHatched, ({ simplifier }) => loadSimplifier(simplifier)),
+  startOcclusion: /* @__PURE__ */ task(startOcclusion),
+  addDirections: /* @__PURE__ */ task(addDirections),
 };
 
 export type BakingTasks = typeof tasks;

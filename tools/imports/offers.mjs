@@ -7,7 +7,6 @@ export const OFFERS = {
   mesh: [
     'corners.ts',
     'phases.ts',
-    'requestBuffers.ts',
     'TriangleMesh.ts',
     'adjacency/pairEdges.ts',
     'bake/attributeLayouts.ts',

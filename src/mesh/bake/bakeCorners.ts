@@ -3,8 +3,7 @@ import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 import { CORNER_STRIDE } from './attributeLayouts.js';
 import { type BakeReport, bakeSurface, reportOf, type Surface, type SurfaceRequest } from './bakeSurface.js';
-import { formBuffers, type PackedForm, packForm, packHatchNormals, packNormals } from './packAttributes.js';
-import { outlineBuffers } from './packOutlines.js';
+import { type PackedForm, packForm, packHatchNormals, packNormals } from './packAttributes.js';
 import type { VertexWords, Words } from './vertexWords.js';
 
 /** The input of the bakes that give each corner a vertex of its own. Plain data: it is posted to the worker. */
@@ -28,14 +27,6 @@ export function* bakeCorners(request: BakeRequest): Generator<number, BakeCorner
   const ofCorners = yield* asPhase(packCornerAttributes(surface, mesh.indices, attributes), 0.85, 0.97);
   return { ...packed, ...(yield* asPhase(reportOf(surface, mesh.indices), 0.97, 1)), ...ofCorners };
 }
-
-/** The buffers of a result, which are transferred with it. */
-export const bakeCornersResultBuffers = (result: BakeCornersResult): ArrayBuffer[] => [
-  result.positions.buffer,
-  result.corners.buffer,
-  ...cornerAttributeBuffers(result),
-  ...outlineBuffers(result.outlines),
-];
 
 /** The vertex attributes of layouts with three vertices per triangle. */
 export interface CornerAttributes {
@@ -66,19 +57,6 @@ export function* packCornerAttributes(
   }
   return { hatchNormals: packedHatchNormals, normals, form: packedForm, attributes: expanded };
 }
-
-/** The buffers that are transferred with the attributes. */
-export const cornerAttributeBuffers = ({
-  hatchNormals,
-  normals,
-  form,
-  attributes,
-}: CornerAttributes): ArrayBuffer[] => [
-  hatchNormals.buffer,
-  ...(normals ? [normals.buffer] : []),
-  ...formBuffers(form),
-  ...attributes.map((words) => words.buffer),
-];
 
 /** Copies the words of each corner's vertex to the corner. */
 export function* expandPerCorner(source: VertexWords, indices: Uint32Array): Generator<number, Words, void> {

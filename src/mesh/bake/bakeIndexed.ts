@@ -1,7 +1,6 @@
 import { asPhase } from '../phases.js';
 import { type BakeReport, bakeSurface, reportOf, type SurfaceRequest } from './bakeSurface.js';
-import { formBuffers, type PackedForm, packForm, packHatchNormals, packNormals } from './packAttributes.js';
-import { outlineBuffers } from './packOutlines.js';
+import { type PackedForm, packForm, packHatchNormals, packNormals } from './packAttributes.js';
 import { splitVertices } from './splitVertices.js';
 
 /** The result of `bakeIndexed`. Plain data: the worker posts it back. */
@@ -41,20 +40,3 @@ export function* bakeIndexed(request: SurfaceRequest): Generator<number, BakeInd
     hatchNormals: yield* asPhase(packHatchNormals(hatchNormals, cornerOfVertex), 0.99, 1),
   };
 }
-
-/** The buffers of a result, which are transferred with it. */
-export const bakeIndexedResultBuffers = ({
-  indices,
-  addedVertices,
-  hatchNormals,
-  normals,
-  form,
-  outlines,
-}: BakeIndexedResult): ArrayBuffer[] => [
-  indices.buffer,
-  addedVertices.buffer,
-  hatchNormals.buffer,
-  ...(normals ? [normals.buffer] : []),
-  ...formBuffers(form),
-  ...outlineBuffers(outlines),
-];

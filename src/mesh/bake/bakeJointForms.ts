@@ -112,14 +112,6 @@ function* groupForms(
   return forms;
 }
 
-/** The buffers of forms, which are transferred with them. */
-export const jointFormsBuffers = (forms: readonly JointForm[]): ArrayBuffer[] =>
-  forms.flatMap((form) =>
-    typeof form === 'string'
-      ? []
-      : [form.ofCorner.buffer, form.values.buffer, form.slopes.buffer, form.crossings.buffer],
-  );
-
 /** A mesh that is part of a larger object. Plain data: it is posted to the worker. */
 export interface Part {
   mesh: TriangleMesh;

@@ -1,15 +1,8 @@
 import { vertexAcross } from '../corners.js';
 import { asPhase, chunkPhase } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
-import {
-  type BakeRequest,
-  type CornerAttributes,
-  cornerAttributeBuffers,
-  expandPerCorner,
-  packCornerAttributes,
-} from './bakeCorners.js';
+import { type BakeRequest, type CornerAttributes, expandPerCorner, packCornerAttributes } from './bakeCorners.js';
 import { type BakeReport, bakeSurface, reportOf } from './bakeSurface.js';
-import { outlineBuffers } from './packOutlines.js';
 import { paddedWords, pullColumns, TRIANGLE_WORDS, VERTEX_WORDS } from './pullLayout.js';
 import { splitVertices } from './splitVertices.js';
 import { appendVertices } from './vertexWords.js';
@@ -40,15 +33,6 @@ export function* bakePull(request: BakeRequest): Generator<number, BakePullResul
   const report = yield* asPhase(reportOf(surface, indices), 0.97, 1);
   return { ...packed, ...report, ...ofCorners, positions: new Float32Array(expanded.buffer) };
 }
-
-/** The buffers of a result, which are transferred with it. */
-export const bakePullResultBuffers = (result: BakePullResult): ArrayBuffer[] => [
-  result.positions.buffer,
-  result.triangleVertices.buffer,
-  result.vertexPositions.buffer,
-  ...cornerAttributeBuffers(result),
-  ...outlineBuffers(result.outlines),
-];
 
 /** The textures of the `pull` layout, padded to whole rows (`pullTextureSize`). */
 export interface PackedPull {

@@ -117,10 +117,6 @@ export function* packForm(
   return packed;
 }
 
-/** The buffers of a packed form, which are transferred with it. */
-export const formBuffers = (form: PackedForm | null): ArrayBuffer[] =>
-  form === null ? [] : [form.values.buffer, form.gradients.buffer];
-
 function packValues(
   values: Float32Array,
   formVertexOf: (vertex: number) => number,

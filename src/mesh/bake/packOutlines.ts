@@ -80,14 +80,6 @@ export function* packOutlines(
   return { points, primitives, searched, triangleCount, edgeCount, positions, normals, radius };
 }
 
-/** The buffers of packed outlines, which are transferred with them. */
-export const outlineBuffers = (outlines: PackedOutlines | null): ArrayBuffer[] =>
-  outlines === null
-    ? []
-    : [outlines.points, outlines.primitives, outlines.searched, outlines.positions, outlines.normals].flatMap(
-        (array) => array?.buffer ?? [],
-      );
-
 /** Writes the position and a vertex of the fan of each corner in a range. */
 function placeRange(
   meshPositions: Float32Array,

@@ -13,8 +13,3 @@ export interface HatchImages {
 
 /** The width of strokes in texels, for images that do not state it. */
 export const DEFAULT_STROKE_TEXELS = 2;
-
-/** The buffers that are transferred with hatch images. An image shared by two tones is listed once. */
-export const imageBuffers = ({ images }: HatchImages): ArrayBuffer[] => [
-  ...new Set(images.flatMap((levels) => levels.map(({ buffer }) => buffer as ArrayBuffer))),
-];

@@ -21,7 +21,7 @@ beforeEach(() => {
   vi.stubGlobal('postMessage', (message: FromWorker) => said.push(message));
   vi.stubGlobal('onmessage', null);
   vi.stubGlobal('navigator', {});
-  serveTasks({ task: { run: task, resultBuffers: () => [] } } as never);
+  serveTasks({ task: { run: task } } as never);
   hear = (data) => (globalThis as unknown as { onmessage: (event: object) => void }).onmessage({ data });
 });
 

@@ -1,10 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { bakeCorners } from '../../../../src/mesh/bake/bakeCorners.js';
-import { bakeIndexed, bakeIndexedResultBuffers } from '../../../../src/mesh/bake/bakeIndexed.js';
+import { bakeIndexed } from '../../../../src/mesh/bake/bakeIndexed.js';
 import type { SurfaceRequest } from '../../../../src/mesh/bake/bakeSurface.js';
-import { bakeRequestBuffers } from '../../../../src/mesh/requestBuffers.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
+import { buffersIn } from '../../../../src/worker/protocol.js';
+import { bakingTasks } from '../../../../src/worker/runTask.js';
 import { finish, meshOf } from '../meshes.js';
 import { cube, patch } from '../shapes.js';
 
@@ -131,10 +132,11 @@ test('smooth normals are added where asked for: split at the crease angle', () =
 
 test('only the mesh and its normals are transferred', () => {
   const request = requestFor(foldedQuad(60), { wantsNormals: true });
-  expect(bakeRequestBuffers(request)).toEqual([request.mesh.positions.buffer, request.mesh.indices.buffer]);
+  const { positions, indices } = request.mesh;
+  expect(bakingTasks.requestBuffers.bakeIndexed(request)).toEqual([positions.buffer, indices.buffer]);
   const result = finish(bakeIndexed(request));
   const buffers = Object.values(result).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer] : []));
-  expect(new Set(bakeIndexedResultBuffers(result))).toEqual(new Set(buffers));
+  expect(new Set(buffersIn(result))).toEqual(new Set(buffers));
 });
 
 test('progress rises and ends at 1', () => {

@@ -2,13 +2,15 @@ import { isDeepStrictEqual } from 'node:util';
 import fc from 'fast-check';
 import { DataUtils, IcosahedronGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
-import { type BakeRequest, bakeCorners, bakeCornersResultBuffers } from '../../../../src/mesh/bake/bakeCorners.js';
-import { bakeIndexed, bakeIndexedResultBuffers } from '../../../../src/mesh/bake/bakeIndexed.js';
-import { bakePull, bakePullResultBuffers } from '../../../../src/mesh/bake/bakePull.js';
+import { type BakeRequest, bakeCorners } from '../../../../src/mesh/bake/bakeCorners.js';
+import { bakeIndexed } from '../../../../src/mesh/bake/bakeIndexed.js';
+import { bakePull } from '../../../../src/mesh/bake/bakePull.js';
+import type { BakeReport } from '../../../../src/mesh/bake/bakeSurface.js';
 import { BORDER, CREASE, POINT_MASK } from '../../../../src/mesh/bake/outlineLayout.js';
 import type { PackedOutlines } from '../../../../src/mesh/bake/packOutlines.js';
 import { computeAreaNormals } from '../../../../src/mesh/computeAreaNormals.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
+import { buffersIn } from '../../../../src/worker/protocol.js';
 import { meshFrom, outlinesOf } from '../features/surfaces.js';
 import { finish, meshOf } from '../meshes.js';
 import { cube, patch, together, torus } from '../shapes.js';
@@ -57,19 +59,13 @@ describe.each(meshes)('%s', (_, mesh) => {
 
   test('transfers the outlines with every layout, each buffer once', () => {
     const request = requestFor(mesh, { outlines });
-    const all = [
-      [finish(bakeCorners(request)), bakeCornersResultBuffers] as const,
-      [finish(bakeIndexed(request)), bakeIndexedResultBuffers] as const,
-      [finish(bakePull(request)), bakePullResultBuffers] as const,
-    ];
-    for (const [result, buffersOf] of all) {
-      const buffers = (buffersOf as (result: unknown) => ArrayBuffer[])(result);
+    for (const result of [bakeCorners, bakeIndexed, bakePull].map((bake) => finish<BakeReport>(bake(request)))) {
+      const buffers = buffersIn(result);
       expect(new Set(buffers).size).toBe(buffers.length);
       for (const value of Object.values(result.outlines!)) {
         if (ArrayBuffer.isView(value)) expect(buffers).toContain(value.buffer);
       }
-      const plain = (buffersOf as (result: unknown) => ArrayBuffer[])({ ...result, outlines: null });
-      expect(buffers).toHaveLength(plain.length + 4);
+      expect(buffers).toHaveLength(buffersIn({ ...result, outlines: null }).length + 4);
     }
   });
 

@@ -8,7 +8,7 @@ import {
   findCandidates,
   searchContours,
 } from '../../../../src/mesh/features/contourCandidates.js';
-import { contourSearchBuffers } from '../../../../src/mesh/requestBuffers.js';
+import { buffersIn } from '../../../../src/worker/protocol.js';
 import { finish } from '../meshes.js';
 import { noise, torus } from '../shapes.js';
 import { cross, dot, fanPositions, outlinesOf, type Row, unit } from './surfaces.js';
@@ -289,6 +289,6 @@ describe('a torus of the bake', () => {
   test('all arrays of a search are transferred', () => {
     const arrays = Object.values(search).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer] : []));
     expect(arrays).toHaveLength(5);
-    expect(new Set(contourSearchBuffers({ search }))).toEqual(new Set(arrays));
+    expect(new Set(buffersIn({ search }))).toEqual(new Set(arrays));
   });
 });
