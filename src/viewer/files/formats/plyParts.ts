@@ -25,16 +25,19 @@ const TYPES: Readonly<Record<string, PlyType>> = {
   float64: 'float64',
 };
 
-/** Size of each type in a binary file, in bytes. */
-const PLY_BYTES: Readonly<Record<PlyType, number>> = {
-  int8: 1,
-  uint8: 1,
-  int16: 2,
-  uint16: 2,
-  int32: 4,
-  uint32: 4,
-  float32: 4,
-  float64: 8,
+/** Reads a number of a binary file. */
+type Read = (view: DataView, at: number, isLittle: boolean) => number;
+
+/** Size of each type in a binary file, in bytes, and how it is read. */
+const BINARY: Readonly<Record<PlyType, { bytes: number; read: Read }>> = {
+  int8: { bytes: 1, read: (view, at) => view.getInt8(at) },
+  uint8: { bytes: 1, read: (view, at) => view.getUint8(at) },
+  int16: { bytes: 2, read: (view, at, isLittle) => view.getInt16(at, isLittle) },
+  uint16: { bytes: 2, read: (view, at, isLittle) => view.getUint16(at, isLittle) },
+  int32: { bytes: 4, read: (view, at, isLittle) => view.getInt32(at, isLittle) },
+  uint32: { bytes: 4, read: (view, at, isLittle) => view.getUint32(at, isLittle) },
+  float32: { bytes: 4, read: (view, at, isLittle) => view.getFloat32(at, isLittle) },
+  float64: { bytes: 8, read: (view, at, isLittle) => view.getFloat64(at, isLittle) },
 };
 
 export interface PlyProperty {
@@ -128,7 +131,7 @@ export function plyNumbers(bytes: Uint8Array, { format, end }: PlyHeader): PlyNu
 export function leastRowBytes({ properties }: PlyElement, format: PlyHeader['format']): number {
   // A number takes at least a digit and a space.
   if (format === 'ascii') return 2 * properties.length;
-  return properties.reduce((sum, { type, countType }) => sum + PLY_BYTES[countType ?? type], 0);
+  return properties.reduce((sum, { type, countType }) => sum + BINARY[countType ?? type].bytes, 0);
 }
 
 class AsciiNumbers implements PlyNumbers {
@@ -173,26 +176,8 @@ export class BinaryNumbers implements PlyNumbers {
   /** Reads the next number; NaN at the end of the file. */
   next(type: PlyType): number {
     const { view, at, isLittle } = this;
-    this.at += PLY_BYTES[type];
-    if (this.at > view.byteLength) return NaN;
-    switch (type) {
-      case 'int8':
-        return view.getInt8(at);
-      case 'uint8':
-        return view.getUint8(at);
-      case 'int16':
-        return view.getInt16(at, isLittle);
-      case 'uint16':
-        return view.getUint16(at, isLittle);
-      case 'int32':
-        return view.getInt32(at, isLittle);
-      case 'uint32':
-        return view.getUint32(at, isLittle);
-      case 'float32':
-        return view.getFloat32(at, isLittle);
-      default:
-        return view.getFloat64(at, isLittle);
-    }
+    this.at += BINARY[type].bytes;
+    return this.at > view.byteLength ? NaN : BINARY[type].read(view, at, isLittle);
   }
 }
 
@@ -212,13 +197,13 @@ export interface PlyColumn {
  */
 export function readColumns({ count, properties }: PlyElement, numbers: BinaryNumbers, columns: PlyColumn[]): boolean {
   if (properties.some(({ countType }) => countType)) return false;
-  const rowBytes = properties.reduce((sum, { type }) => sum + PLY_BYTES[type], 0);
+  const rowBytes = properties.reduce((sum, { type }) => sum + BINARY[type].bytes, 0);
   if (count * rowBytes > numbers.bytesLeft) return false;
   let offset = numbers.at;
   for (const property of properties) {
     for (const column of columns)
       if (column.property === property) readColumn(numbers, offset, rowBytes, count, column);
-    offset += PLY_BYTES[property.type];
+    offset += BINARY[property.type].bytes;
   }
   numbers.at += count * rowBytes;
   return true;
@@ -238,21 +223,10 @@ function readColumn(
   } else if (property.type === 'uint8') {
     for (let at = start, to = axis; at < end; at += rowBytes, to += step) target[to] = view.getUint8(at);
   } else {
-    const read = GETTERS[property.type];
+    const { read } = BINARY[property.type];
     for (let at = start, to = axis; at < end; at += rowBytes, to += step) target[to] = read(view, at, isLittle);
   }
 }
-
-const GETTERS: Readonly<Record<PlyType, (view: DataView, at: number, isLittle: boolean) => number>> = {
-  int8: (view, at) => view.getInt8(at),
-  uint8: (view, at) => view.getUint8(at),
-  int16: (view, at, isLittle) => view.getInt16(at, isLittle),
-  uint16: (view, at, isLittle) => view.getUint16(at, isLittle),
-  int32: (view, at, isLittle) => view.getInt32(at, isLittle),
-  uint32: (view, at, isLittle) => view.getUint32(at, isLittle),
-  float32: (view, at, isLittle) => view.getFloat32(at, isLittle),
-  float64: (view, at, isLittle) => view.getFloat64(at, isLittle),
-};
 
 /**
  * Reads the faces of a binary element that contains only lists of corners, as most programs write it, up to the first face that is not a
@@ -266,7 +240,7 @@ export function readTriangles(
   indices: GrowingIndices,
 ): number {
   const [{ type, countType }] = properties;
-  if (properties.length !== 1 || countType !== 'uint8' || PLY_BYTES[type] !== 4 || type === 'float32') return 0;
+  if (properties.length !== 1 || countType !== 'uint8' || BINARY[type].bytes !== 4 || type === 'float32') return 0;
   const { view, isLittle } = numbers;
   const faces = Math.min(count, Math.floor(numbers.bytesLeft / ROW_BYTES));
   indices.reserve(3 * faces);

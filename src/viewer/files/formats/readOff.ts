@@ -1,9 +1,9 @@
 import { AsciiReader } from '../common/AsciiReader.js';
 import { ModelError } from '../common/ModelError.js';
 import { nearFloats } from '../mesh/fitModel.js';
-import { checkReadTriangles, type NotedMesh, type PlainMesh } from '../mesh/PlainMesh.js';
+import { checkReadTriangles, type NotedMesh, normalizeNormals, type PlainMesh } from '../mesh/PlainMesh.js';
 import { cutPolygons } from '../mesh/triangulatePolygon.js';
-import { linearColors, meanAlpha, rangesByAlpha, withFaceColors } from '../mesh/vertexColors.js';
+import { fullValue, linearColors, meanAlpha, rangesByAlpha, withFaceColors } from '../mesh/vertexColors.js';
 import { GrowingIndices } from './GrowingIndices.js';
 
 /**
@@ -108,7 +108,7 @@ function readVertices(
     startRow(reader, name);
     for (let i = 0; i < size; i++) row[i] = reader.number();
     for (let axis = 0; axis < 3; axis++) positions[3 * vertex + axis] = row[axis] / row[3];
-    if (normals) writeNormal(reader, normals, 3 * vertex);
+    for (let k = 0; normals && k < 3; k++) normals[3 * vertex + k] = reader.number();
     const rest = restOfLine(reader);
     if (rest.length < 3) continue;
     // Vertices without a colour are white where others have one.
@@ -118,14 +118,7 @@ function readVertices(
     alphas ??= new Float64Array(vertices).fill(Number.NaN);
     alphas[vertex] = rest[3];
   }
-  return { positions, normals, colors, alphas };
-}
-
-/** Reads and normalizes a normal; one without a direction becomes zero, and is computed later. */
-function writeNormal(reader: AsciiReader, normals: Float32Array, at: number): void {
-  const normal = [reader.number(), reader.number(), reader.number()];
-  const length = Math.hypot(...normal);
-  for (let k = 0; k < 3; k++) normals[at + k] = length > 0 && length < Infinity ? normal[k] / length : 0;
+  return { positions, normals: normals && normalizeNormals(normals), colors, alphas };
 }
 
 /** Reads the faces as triangle fans, with a colour and an alpha for each; missing ones are NaN. */
@@ -188,10 +181,4 @@ function restOfLine(reader: AsciiReader): number[] {
   const numbers: number[] = [];
   while (!reader.isAtLineEnd) numbers.push(reader.number());
   return numbers;
-}
-
-/** The value of full brightness: 1 for fractions, 255 for integers. */
-function fullValue(values: ArrayLike<number>): number {
-  for (let i = 0; i < values.length; i++) if (values[i] > 1) return 255;
-  return 1;
 }

@@ -1,8 +1,15 @@
 import { ModelError, shownName } from '../common/ModelError.js';
 import { nearFloats } from '../mesh/fitModel.js';
-import { checkReadTriangles, type NotedMesh, type PlainMesh } from '../mesh/PlainMesh.js';
+import { checkReadTriangles, type NotedMesh, normalizeNormals, type PlainMesh } from '../mesh/PlainMesh.js';
 import { cutPolygons } from '../mesh/triangulatePolygon.js';
-import { type FaceColors, linearColors, meanAlpha, rangesByAlpha, withFaceColors } from '../mesh/vertexColors.js';
+import {
+  type FaceColors,
+  fullValue,
+  linearColors,
+  meanAlpha,
+  rangesByAlpha,
+  withFaceColors,
+} from '../mesh/vertexColors.js';
 import { GrowingIndices } from './GrowingIndices.js';
 import {
   BinaryNumbers,
@@ -135,7 +142,7 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
   const [red, alpha] = [COLOR, ALPHA].map((slot) => properties[slots.indexOf(slot)]);
   const read = (): Points => ({
     positions,
-    normals,
+    normals: normals && normalizeNormals(normals),
     colors: colors && toLinear(colors, red),
     alphas: alphas && toShares(alphas, alpha),
   });
@@ -144,10 +151,7 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
       const target = [positions, normals, colors, alphas][Math.floor(slots[i] / 3)];
       return target ? [{ property, target, axis: slots[i] % 3, step: slots[i] === ALPHA ? 1 : 3 }] : [];
     });
-    if (readColumns(element, numbers, columns)) {
-      if (normals) normalize(normals);
-      return read();
-    }
+    if (readColumns(element, numbers, columns)) return read();
   }
   for (let vertex = 0; vertex < count; vertex++) {
     numbers.startRow();
@@ -160,30 +164,12 @@ function readPoints(element: PlyElement, numbers: PlyNumbers, name: string): Poi
     const at = 3 * vertex;
     for (let axis = 0; axis < 3; axis++) {
       positions[at + axis] = row[axis];
+      if (normals) normals[at + axis] = row[NORMAL + axis];
       if (colors) colors[at + axis] = row[COLOR + axis];
     }
     if (alphas) alphas[vertex] = row[ALPHA];
-    if (!normals) continue;
-    const length = Math.hypot(row[NORMAL], row[NORMAL + 1], row[NORMAL + 2]);
-    if (length > 0 && length < Infinity) {
-      for (let axis = 0; axis < 3; axis++) normals[at + axis] = row[NORMAL + axis] / length;
-    }
   }
   return read();
-}
-
-/** Normalizes normals. Those without a direction become zero. */
-function normalize(normals: Float32Array): void {
-  for (let i = 0; i < normals.length; i += 3) {
-    const x = normals[i];
-    const y = normals[i + 1];
-    const z = normals[i + 2];
-    const length = Math.sqrt(x * x + y * y + z * z);
-    const has = length > 0 && length < Infinity;
-    normals[i] = has ? x / length : 0;
-    normals[i + 1] = has ? y / length : 0;
-    normals[i + 2] = has ? z / length : 0;
-  }
 }
 
 /** Reads faces. `polygons` receives the ranges of faces with more than three corners. @returns their other data */
@@ -300,20 +286,18 @@ function listLength({ countType }: PlyProperty, numbers: PlyNumbers, name: strin
 
 /** Converts sRGB values of a type to linear RGB in [0, 1]. NaN becomes white. */
 function toLinear(values: ArrayLike<number>, { type }: PlyProperty): Float32Array {
-  return linearColors(values, fullValue(values, type));
+  return linearColors(values, fullValueOf(values, type));
 }
 
 /** Scales values of a type to [0, 1], in place. NaN becomes opaque. */
 function toShares(values: Float32Array, { type }: PlyProperty): Float32Array {
-  const full = fullValue(values, type);
+  const full = fullValueOf(values, type);
   for (let i = 0; i < values.length; i++) values[i] = Number.isFinite(values[i]) ? values[i] / full : 1;
   return values;
 }
 
 /** The value of full brightness. Floats usually go to 1, but some programs write 0 to 255. */
-function fullValue(values: ArrayLike<number>, type: PlyProperty['type']): number {
+function fullValueOf(values: ArrayLike<number>, type: PlyProperty['type']): number {
   if (type === 'uint16' || type === 'int16') return 65535;
-  if (!type.startsWith('float')) return 255;
-  for (let i = 0; i < values.length; i++) if (values[i] > 1) return 255;
-  return 1;
+  return type.startsWith('float') ? fullValue(values) : 255;
 }

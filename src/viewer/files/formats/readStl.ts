@@ -2,7 +2,7 @@ import { Mesh } from 'three';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { AsciiReader } from '../common/AsciiReader.js';
 import { nearFloats } from '../mesh/fitModel.js';
-import { checkReadTriangles, type NotedMesh, type PlainMesh } from '../mesh/PlainMesh.js';
+import { checkReadTriangles, type NotedMesh, normalizeNormals, type PlainMesh } from '../mesh/PlainMesh.js';
 import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
 import type { LoadedScene } from '../scenes/LoadedScene.js';
 
@@ -56,15 +56,10 @@ function readAsciiStl(bytes: Uint8Array): PlainMesh {
   }
   endLoop();
   checkReadTriangles(positions.length / 9);
-  return { positions: nearFloats(positions), normals: unitLengths(normals), colors: null, indices: null };
-}
-
-/** Normalizes normals. Zero and NaN ones become zero, and are computed from the surface later. */
-function unitLengths(normals: readonly number[]): Float32Array {
-  const scaled = Float32Array.from(normals);
-  for (let i = 0; i < scaled.length; i += 3) {
-    const length = Math.hypot(scaled[i], scaled[i + 1], scaled[i + 2]);
-    for (let k = i; k < i + 3; k++) scaled[k] = length > 0 && length < Infinity ? scaled[k] / length : 0;
-  }
-  return scaled;
+  return {
+    positions: nearFloats(positions),
+    normals: normalizeNormals(Float32Array.from(normals)),
+    colors: null,
+    indices: null,
+  };
 }

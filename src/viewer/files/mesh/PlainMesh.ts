@@ -137,3 +137,12 @@ const LEAST_AREA = 0.002;
 export function thinNote(positions: ArrayLike<number>, indices: ArrayLike<number> | null, share = 1): string[] {
   return isAreaLess(positions, indices, LEAST_AREA * share) ? ['its triangles are too thin to be hatched'] : [];
 }
+
+/** Gives normals a length of 1, in place. Those without a direction become zero, and are computed from the surface later. */
+export function normalizeNormals(normals: Float32Array): Float32Array {
+  for (let i = 0; i < normals.length; i += 3) {
+    const length = Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
+    for (let k = i; k < i + 3; k++) normals[k] = length > 0 && length < Infinity ? normals[k] / length : 0;
+  }
+  return normals;
+}

@@ -77,3 +77,9 @@ export const meanAlpha =
     }
     return sum;
   };
+
+/** The value of full brightness: 1 for fractions, 255 for integers. */
+export function fullValue(values: ArrayLike<number>): number {
+  for (let i = 0; i < values.length; i++) if (values[i] > 1) return 255;
+  return 1;
+}

@@ -32,6 +32,7 @@ import type {
 } from '../gltf/gltfDocument.js';
 import { type ReadGltf, readParts } from '../gltf/readGltf.js';
 import { farCentre } from '../mesh/fitModel.js';
+import { normalizeNormals } from '../mesh/PlainMesh.js';
 import type { PictureLink } from '../pictures/meshPictures.js';
 
 const noDraco: DracoSource = () => Promise.reject(new ModelError('A scene has nothing packed with Draco.'));
@@ -182,7 +183,7 @@ class SceneDocument {
     for (const [attribute, written] of NAMES) {
       const values = geometry.getAttribute(attribute) as Attribute | undefined;
       if (!values || (attribute === 'normal' && !hasDirections(floatsOf(values)))) continue;
-      const read = () => (attribute === 'normal' ? normalized(floatsOf(values)) : floatsOf(values));
+      const read = () => (attribute === 'normal' ? normalizeNormals(floatsOf(values).slice()) : floatsOf(values));
       attributes[written] = this.values.add(values, values.itemSize, read);
     }
     const targets = morphTargetInfluences.map((_, i) => this.targetOf(geometry, i, attributes.NORMAL !== undefined));
@@ -373,15 +374,6 @@ function hasDirections(normals: Float32Array): boolean {
     if (!(length > 0 && length < Infinity)) return false;
   }
   return true;
-}
-
-function normalized(normals: Float32Array): Float32Array {
-  const units = normals.slice();
-  for (let i = 0; i < units.length; i += 3) {
-    const length = Math.hypot(units[i], units[i + 1], units[i + 2]);
-    for (let k = i; k < i + 3; k++) units[k] /= length;
-  }
-  return units;
 }
 
 /** @throws Error if a number is not finite */
