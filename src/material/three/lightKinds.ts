@@ -12,10 +12,10 @@ interface LightKind {
   /** The name in macros for numbers, which three.js replaces: `DIR` for `NUM_DIR_LIGHTS` and `NUM_DIR_LIGHT_SHADOWS`. */
   key: string;
   /**
-   * Where they shine from, which decides the members of their struct: `direction` and `color` for distant lights; `position`, `color`,
-   * `distance` and `decay` for lights at a place. A `sky` is three's hemisphere light, which shines from all around.
+   * Its type, which decides the members of the struct: `direction` and `color` of distant lights; `position`, `color`,
+   * `distance` and `decay` of positional ones. A `sky` is three's hemisphere light.
    */
-  from: 'afar' | 'place' | 'sky';
+  type: 'distant' | 'positional' | 'sky';
   /**
    * Of flat shadow maps: the uniform of the matrices from world space to them, which three.js declares in the vertex shader, and the
    * macro for their number. Other lights at a place have cubes, and those of a sun are cascades.
@@ -28,11 +28,11 @@ interface LightKind {
  * no file of shaders/ names any of them.
  */
 const LIGHT_KINDS: readonly LightKind[] = [
-  { name: 'Point', key: 'POINT', from: 'place' },
-  { name: 'Spot', key: 'SPOT', from: 'place', matrices: ['spotLightMatrix', 'NUM_SPOT_LIGHT_COORDS'] },
-  { name: 'Sun', key: 'SUN', from: 'afar' },
-  { name: 'Directional', key: 'DIR', from: 'afar', matrices: ['directionalShadowMatrix', 'NUM_DIR_LIGHT_SHADOWS'] },
-  { name: 'Hemisphere', key: 'HEMI', from: 'sky' },
+  { name: 'Point', key: 'POINT', type: 'positional' },
+  { name: 'Spot', key: 'SPOT', type: 'positional', matrices: ['spotLightMatrix', 'NUM_SPOT_LIGHT_COORDS'] },
+  { name: 'Sun', key: 'SUN', type: 'distant' },
+  { name: 'Directional', key: 'DIR', type: 'distant', matrices: ['directionalShadowMatrix', 'NUM_DIR_LIGHT_SHADOWS'] },
+  { name: 'Hemisphere', key: 'HEMI', type: 'sky' },
 ];
 
 /** The macro for the number of lights of a kind. */
@@ -67,8 +67,8 @@ export function lightCountDefines(): string {
   const sum = (kinds: LightKind[]): string => `(${kinds.map(countOf).join(' + ')})`;
   const known = knownKinds();
   return [
-    `#define LIGHTS_WITH_DIRECTION ${sum(known.filter(({ from }) => from !== 'sky'))}`,
-    `#define POSITIONAL_LIGHTS ${sum(known.filter(({ from }) => from === 'place'))}`,
+    `#define LIGHTS_WITH_DIRECTION ${sum(known.filter(({ type }) => type !== 'sky'))}`,
+    `#define POSITIONAL_LIGHTS ${sum(known.filter(({ type }) => type === 'positional'))}`,
   ].join('\n');
 }
 
@@ -79,7 +79,7 @@ export function lightCountDefines(): string {
  *
  * - `eachLight` visits every light that has a direction. The shader declares `IncidentLight light`, into which the chunk writes what
  * arrives at `viewPosition`.
- * - `eachDistantLight` and `eachPositionalLight` visit those that shine from afar, and those that shine from a place.
+ * - `eachDistantLight` and `eachPositionalLight` visit lights of one type.
  * - `eachSky` visits hemisphere lights. Their number has no meaning.
  *
  * `lightShadows` is not a loop: it wraps three's shadow map functions, so that calls go through `KNOWN_SHADOW` and results through
@@ -87,14 +87,14 @@ export function lightCountDefines(): string {
  */
 export function lightChunks(): Record<string, string> {
   const kinds = knownKinds();
-  const walk = (from: LightKind['from'], writesLight = false): string =>
-    kinds.map((kind, i) => (kind.from === from ? loopOver(kind, kinds.slice(0, i), writesLight) : '')).join('');
+  const loops = (type: LightKind['type'], writesLight = false): string =>
+    kinds.map((kind, i) => (kind.type === type ? loopOver(kind, kinds.slice(0, i), writesLight) : '')).join('');
   const end = '#undef VISIT_LIGHT';
   return {
-    eachLight: walk('afar', true) + walk('place', true) + end,
-    eachDistantLight: walk('afar') + end,
-    eachPositionalLight: walk('place') + end,
-    eachSky: walk('sky') + end,
+    eachLight: loops('distant', true) + loops('positional', true) + end,
+    eachDistantLight: loops('distant') + end,
+    eachPositionalLight: loops('positional') + end,
+    eachSky: loops('sky') + end,
     lightShadows: shadowMacros(),
   };
 }
@@ -112,7 +112,7 @@ export function shadowChunks(): Record<string, string> {
   const flat: string[] = [];
   const cubes: string[] = [];
   const matrices: string[] = [];
-  for (const [i, { name, key, from, matrices: ofKind }] of kinds.entries()) {
+  for (const [i, { name, key, type, matrices: ofKind }] of kinds.entries()) {
     // Lights that cast shadows are the first of their kind.
     const count = `NUM_${key}_LIGHT_SHADOWS`;
     const lower = name.toLowerCase();
@@ -122,9 +122,9 @@ export function shadowChunks(): Record<string, string> {
     if (ofKind) {
       const [matrix, most] = ofKind;
       matrices.push(`#if ${count} > 0\nuniform mat4 ${matrix}[${most}];\n#endif\n`);
-      const visit = `${readLight(name, from)}\nVISIT_SHADOW(${number}, ${map}, ${matrix}[i], ${shadow})`;
+      const visit = `${readLight(name, type)}\nVISIT_SHADOW(${number}, ${map}, ${matrix}[i], ${shadow})`;
       flat.push(unrolled(count, visit));
-    } else if (from === 'place') {
+    } else if (type === 'positional') {
       const fromLight = `viewPosition - ${lower}Lights[i].position`;
       cubes.push(unrolled(count, `VISIT_SHADOW(${number}, ${map}, ${fromLight}, ${shadow})`));
     }
@@ -138,9 +138,9 @@ export function shadowChunks(): Record<string, string> {
 }
 
 function loopOver(kind: LightKind, before: readonly LightKind[], writesLight: boolean): string {
-  const { name, from } = kind;
+  const { name, type } = kind;
   const visit = `VISIT_LIGHT(${name.toLowerCase()}Lights[i], ${numberAfter(before)})`;
-  return unrolled(countOf(kind), `${writesLight ? readLight(name, from) : ''}\n${visit}`);
+  return unrolled(countOf(kind), `${writesLight ? readLight(name, type) : ''}\n${visit}`);
 }
 
 /** The index of a light among all that have a direction. */
@@ -148,8 +148,8 @@ const numberAfter = (before: readonly LightKind[]): string =>
   [...before.map(countOf), 'UNROLLED_LOOP_INDEX'].join(' + ');
 
 /** Writes the light that arrives from a source into `light`. */
-const readLight = (name: string, from: LightKind['from']): string =>
-  `get${name}LightInfo(${name.toLowerCase()}Lights[i], ${from === 'place' ? 'viewPosition, ' : ''}light);`;
+const readLight = (name: string, type: LightKind['type']): string =>
+  `get${name}LightInfo(${name.toLowerCase()}Lights[i], ${type === 'positional' ? 'viewPosition, ' : ''}light);`;
 
 /** A loop in the form that three.js unrolls: some drivers warn of a loop that runs once. */
 const unrolled = (count: string, body: string): string => `#if ${count} > 0
