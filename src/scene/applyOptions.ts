@@ -40,23 +40,8 @@ export function resolveOptions(given: ApplyHatchingOptions | PresetName): ApplyH
 }
 
 /** The options that are passed on to `prepareHatchingGeometry`. */
-export function prepareOptions({
-  preset: _preset,
-  replaces: _replaces,
-  tonalArtMap: _map,
-  material: _material,
-  tilesPerWorldUnit: _tilesPerWorldUnit,
-  detail: _detail,
-  filter: _filter,
-  onGeometry: _onGeometry,
-  onFormProgress: _onFormProgress,
-  invalidate: _invalidate,
-  renderer: _renderer,
-  camera: _camera,
-  ...options
-}: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'outlines'> {
-  return options;
-}
+export const prepareOptions = (options: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'outlines'> =>
+  Object.fromEntries(Object.entries(options).filter(([name]) => !(name in OWN_OPTIONS)));
 
 /** Checks the options that only `applyHatching` has; `prepareHatchingGeometry` checks those of the geometry. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {

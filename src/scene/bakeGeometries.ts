@@ -56,11 +56,8 @@ async function bakeEach(
   const total = cornersOf(plans.keys());
   const results = new Map<BufferGeometry, BufferGeometry | Error>();
   // Any other error stops all bakes, so that none goes on after the promise was rejected.
-  const stop = new AbortController();
   const { signal } = options;
-  const abort = (): void => stop.abort(signal?.reason);
-  signal?.addEventListener('abort', abort);
-  if (signal?.aborted) abort();
+  const { stop, unlink } = stoppedWith(signal);
   const notify = (listener: () => void): void => {
     if (stop.signal.aborted) return;
     try {
@@ -118,13 +115,22 @@ async function bakeEach(
     running.add(task);
   }
   await Promise.all(running);
-  signal?.removeEventListener('abort', abort);
+  unlink();
   signal?.throwIfAborted();
   stop.signal.throwIfAborted();
   corners = total;
   report();
   // The results are in the order of `plans`, whichever bake finished first.
   return new Map([...plans.keys()].map((geometry) => [geometry, results.get(geometry)!]));
+}
+
+/** A controller that is aborted along with a signal until `unlink` is called. */
+export function stoppedWith(signal: AbortSignal | undefined): { stop: AbortController; unlink: () => void } {
+  const stop = new AbortController();
+  const abort = (): void => stop.abort(signal?.reason);
+  signal?.addEventListener('abort', abort);
+  if (signal?.aborted) abort();
+  return { stop, unlink: () => signal?.removeEventListener('abort', abort) };
 }
 
 /**

@@ -5,7 +5,7 @@ import type { PrepareHatchingGeometryOptions } from '../material/geometry/Prepar
 import { runSliced } from '../mesh/phases.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { isToBeMade, prepareOptions } from './applyOptions.js';
-import { bakeGeometries, progressParts } from './bakeGeometries.js';
+import { bakeGeometries, progressParts, stoppedWith } from './bakeGeometries.js';
 import { type ChosenMeshes, failure } from './chooseMeshes.js';
 import { type GeometryPlan, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
@@ -102,10 +102,7 @@ async function sideBySide<Results extends unknown[]>(
   signal: AbortSignal | undefined,
   ...jobs: { [Index in keyof Results]: (signal: AbortSignal) => Promise<Results[Index]> }
 ): Promise<Results> {
-  const stop = new AbortController();
-  const abort = (): void => stop.abort(signal?.reason);
-  signal?.addEventListener('abort', abort);
-  if (signal?.aborted) abort();
+  const { stop, unlink } = stoppedWith(signal);
   try {
     const running = jobs.map((job) =>
       job(stop.signal).catch((error: unknown) => {
@@ -117,7 +114,7 @@ async function sideBySide<Results extends unknown[]>(
     stop.signal.throwIfAborted();
     return results as Results;
   } finally {
-    signal?.removeEventListener('abort', abort);
+    unlink();
   }
 }
 

@@ -1,6 +1,6 @@
 import { shownName } from '../../viewer/files/common/ModelError.js';
 import { GALLERY, type GalleryDrawing } from '../../viewer/settings/gallery.js';
-import { findElement, textButton } from '../page/elements.js';
+import { element, findElement, textButton } from '../page/elements.js';
 import type { DrawingStore } from '../session/DrawingStore.js';
 import type { KeptDrawing } from '../session/KeptDrawings.js';
 
@@ -36,20 +36,10 @@ export class Gallery {
   }
 
   private button(drawing: GalleryDrawing): HTMLElement {
-    const button = Object.assign(document.createElement('button'), { type: 'button' });
-    const picture = Object.assign(document.createElement('img'), {
-      loading: 'lazy',
-      decoding: 'async',
-      alt: '',
-      width: SIDE,
-      height: SIDE,
-      src: `gallery/${drawing.name}.webp`,
-    });
-    button.append(picture, Object.assign(document.createElement('span'), { textContent: drawing.title }));
-    if (drawing.credit) {
-      const credit = Object.assign(document.createElement('small'), { textContent: drawing.credit });
-      button.append(' ', credit);
-    }
+    const src = `gallery/${drawing.name}.webp`;
+    const picture = element('img', { loading: 'lazy', decoding: 'async', alt: '', width: SIDE, height: SIDE, src });
+    const button = element('button', { type: 'button' }, picture, element('span', {}, drawing.title));
+    if (drawing.credit) button.append(' ', element('small', {}, drawing.credit));
     button.addEventListener('click', () => {
       this.close();
       this.onChoose(drawing);
@@ -107,22 +97,18 @@ export class KeysDialog {
 
   constructor() {
     findElement('keys-close').addEventListener('click', () => this.dialog.close());
-    findElement('keys-list').append(...KEYS.flatMap(({ about, rows }) => [element('h3', about), list(rows)]));
+    findElement('keys-list').append(
+      ...KEYS.flatMap(({ about, rows }) => [
+        element('h3', {}, about),
+        element('dl', {}, ...rows.flatMap(([keys, text]) => [element('dt', {}, keys), element('dd', {}, text)])),
+      ]),
+    );
   }
 
   open(): void {
     if (!this.dialog.open) this.dialog.showModal();
   }
 }
-
-function list(rows: readonly (readonly [string, string])[]): HTMLElement {
-  const terms = document.createElement('dl');
-  terms.append(...rows.flatMap(([keys, text]) => [element('dt', keys), element('dd', text)]));
-  return terms;
-}
-
-const element = (tag: string, textContent: string): HTMLElement =>
-  Object.assign(document.createElement(tag), { textContent });
 
 /** The list of stored drawings, each of which can be opened or deleted. */
 export class RecentDialog {
@@ -159,21 +145,15 @@ export class RecentDialog {
       this.dialog.close();
       this.onOpen(id);
     });
-    const image = document.createElement('img');
-    image.alt = '';
     // An image without a source keeps its place, so that the names are aligned.
-    if (picture) image.src = picture;
-    open.prepend(image);
+    open.prepend(element('img', { alt: '', ...(picture && { src: picture }) }));
     const forgetThis = async (): Promise<void> => {
       await this.store.forget([id]);
       await this.show();
       (this.rows.querySelector('button') ?? findElement('recent-close')).focus();
     };
     const forget = textButton('Forget', () => void forgetThis(), `Forget ${name}`);
-    const facts = Object.assign(document.createElement('span'), { textContent: `${dayOf(at)}, ${inMegabytes(bytes)}` });
-    const row = document.createElement('li');
-    row.append(open, facts, forget);
-    return row;
+    return element('li', {}, open, element('span', {}, `${dayOf(at)}, ${inMegabytes(bytes)}`), forget);
   }
 }
 

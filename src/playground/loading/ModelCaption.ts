@@ -1,3 +1,4 @@
+import { element } from '../page/elements.js';
 import type { ModelStatistics } from '../../viewer/drawing/statistics.js';
 import { shownName, shownText } from '../../viewer/files/common/ModelError.js';
 
@@ -61,18 +62,14 @@ export class ModelCaption {
     const all = [...content.notes, ...content.details];
     // Replaces the elements, because new text in the old ones would count as a layout shift.
     caption.replaceChildren(
-      element('em', 'model-name', shownName(content.title)),
+      element('em', { id: 'model-name' }, shownName(content.title)),
       ' ',
-      element('span', 'model-note', shortNotes(content.notes.map(shownText))),
+      element('span', { id: 'model-note' }, shortNotes(content.notes.map(shownText))),
     );
-    notes.replaceChildren(...all.map((note) => element('li', '', shownText(note))));
+    notes.replaceChildren(...all.map((note) => element('li', {}, shownText(note))));
     notes.hidden = all.length === 0;
     statistics.textContent = describe(content.statistics);
   }
-}
-
-function element(tag: string, id: string, textContent: string): HTMLElement {
-  return Object.assign(document.createElement(tag), { ...(id && { id }), textContent });
 }
 
 /** Describes the statistics. Zero counts are left out. */

@@ -1,3 +1,4 @@
+import { element } from '../page/elements.js';
 import { shownName } from '../../viewer/files/common/ModelError.js';
 import { describeAddress } from './fetchModel.js';
 
@@ -25,15 +26,11 @@ let withdrawOpen = (): void => {};
 async function ask({ lines, yes, no, isGrave = false }: Question, signal?: AbortSignal): Promise<boolean> {
   withdrawOpen();
   if (signal?.aborted) return false;
-  const dialog = document.createElement('dialog');
-  Object.assign(dialog, { id: 'ask', className: 'ask' });
-  dialog.setAttribute('aria-labelledby', 'ask-question');
-  const question = Object.assign(document.createElement('div'), { id: 'ask-question' });
-  question.append(...lines.map(paragraph));
-  const form = Object.assign(document.createElement('form'), { method: 'dialog' });
   const [agree, refuse] = [answer(yes, 'yes'), answer(no, 'no')];
-  form.append(agree, refuse);
-  dialog.append(question, form);
+  const question = element('div', { id: 'ask-question' }, ...lines.map((line) => element('p', {}, line)));
+  const form = element('form', { method: 'dialog' }, agree, refuse);
+  const dialog = element('dialog', { id: 'ask', className: 'ask' }, question, form);
+  dialog.setAttribute('aria-labelledby', 'ask-question');
   document.body.append(dialog);
   const end = new AbortController();
   const withdraw = (): void => {
@@ -55,17 +52,8 @@ async function ask({ lines, yes, no, isGrave = false }: Question, signal?: Abort
   return dialog.returnValue === 'yes';
 }
 
-function paragraph(line: string | HTMLElement): HTMLElement {
-  const made = document.createElement('p');
-  made.append(line);
-  return made;
-}
-
-function answer(label: string, value: string): HTMLButtonElement {
-  const made = Object.assign(document.createElement('button'), { type: 'submit', value, textContent: label });
-  made.className = 'text-button';
-  return made;
-}
+const answer = (label: string, value: string): HTMLButtonElement =>
+  element('button', { type: 'submit', value, className: 'text-button' }, label);
 
 /** Disables a button for a moment, and again when the window returns to the front. */
 function holdBack(button: HTMLButtonElement, end: AbortSignal): void {
@@ -105,4 +93,4 @@ export function askToFetch(address: string, signal: AbortSignal): Promise<boolea
 
 /** Text from an untrusted source, which must not look like part of the question. */
 const part = (className: string, textContent: string): HTMLElement =>
-  Object.assign(document.createElement('bdi'), { className, textContent, dir: 'ltr' });
+  element('bdi', { className, textContent, dir: 'ltr' });

@@ -20,8 +20,7 @@ export function setPageState(state: 'loading' | 'ready' | 'lost' | 'failed'): vo
 
 /** Creates a dialog button that looks like text. @param name accessible name, by default the label */
 export function textButton(label: string, run: () => void, name?: string): HTMLButtonElement {
-  const button = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
-  button.className = 'text-button';
+  const button = element('button', { type: 'button', className: 'text-button' }, label);
   if (name) button.setAttribute('aria-label', name);
   button.addEventListener('click', run);
   return button;

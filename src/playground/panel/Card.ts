@@ -3,6 +3,7 @@ import { errorMessage } from '../../viewer/files/common/ModelError.js';
 import { PRESET_LABELS, PRESET_NAMES } from '../../viewer/settings/presetLabels.js';
 import { presetOf, wholeLook } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
+import { element } from '../page/elements.js';
 import type { SettingGroup } from '../../viewer/settings/table/rows.js';
 import { page } from '../page/page.js';
 import type { SavedLooks } from '../savedLooks/SavedLooks.js';
@@ -23,9 +24,8 @@ class PresetBar {
     onChoose: (name: PresetName) => void,
   ) {
     this.buttons = PRESET_NAMES.map((name) => {
-      const button = Object.assign(document.createElement('button'), { type: 'button' });
-      const picture = Object.assign(document.createElement('img'), { alt: '', src: `gallery/preset-${name}.webp` });
-      button.append(picture, PRESET_LABELS[name]);
+      const picture = element('img', { alt: '', src: `gallery/preset-${name}.webp` });
+      const button = element('button', { type: 'button' }, picture, PRESET_LABELS[name]);
       button.addEventListener('click', () => onChoose(name));
       return [name, button] as const;
     });

@@ -11,7 +11,7 @@ import {
 } from '../../viewer/settings/table/rows.js';
 import type { Dialogs } from '../dialogs/Dialogs.js';
 import type { Exports } from '../export/Exports.js';
-import { findElement } from '../page/elements.js';
+import { element, findElement } from '../page/elements.js';
 import { drawnView, page } from '../page/page.js';
 import { millimetresPerPixel } from '../print/printPlan.js';
 import type { Session } from '../session/Session.js';
@@ -155,8 +155,7 @@ export class SettingsPanel {
         return this.finish(gui.addColor(settings, key), setting);
       case 'number': {
         const controller = gui.add(settings, key, setting.min, setting.max, setting.step);
-        const unit = document.createElement('span');
-        unit.className = 'unit';
+        const unit = element('span', { className: 'unit' });
         this.units.set(key, unit);
         controller.$widget.append(unit);
         if (setting.ends) controller.$widget.append(note(...setting.ends));
@@ -194,12 +193,8 @@ function sayValue(controller: Controller, { min, max }: NumberSetting, value: nu
 }
 
 /** Creates a line of small text below a control. Several texts are spread over its width. */
-function note(...texts: string[]): HTMLElement {
-  const element = document.createElement('span');
-  element.className = 'note';
-  for (const text of texts) element.append(Object.assign(document.createElement('span'), { textContent: text }));
-  return element;
-}
+const note = (...texts: string[]): HTMLElement =>
+  element('span', { className: 'note' }, ...texts.map((text) => element('span', {}, text)));
 
 /** The buttons of the panel by group of settings. */
 export function panelActions(

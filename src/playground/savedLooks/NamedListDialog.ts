@@ -1,5 +1,5 @@
+import { element, findElement, textButton } from '../page/elements.js';
 import { shownName } from '../../viewer/files/common/ModelError.js';
-import { findElement, textButton } from '../page/elements.js';
 import type { NamedItem, NamedList } from './SavedViews.js';
 
 /** The part of a list that a bar shows. */
@@ -31,11 +31,11 @@ export class NamedBar {
 
   private button({ name: given, picture, key }: NamedItem, index: number): HTMLElement {
     const name = shownName(given);
-    const button = Object.assign(document.createElement('button'), { type: 'button', title: name });
-    if (picture) button.append(Object.assign(document.createElement('img'), { alt: '', src: picture }));
-    button.append(Object.assign(document.createElement('span'), { textContent: name }));
+    const button = element('button', { type: 'button', title: name });
+    if (picture) button.append(element('img', { alt: '', src: picture }));
+    button.append(element('span', {}, name));
     if (key) {
-      button.prepend(Object.assign(document.createElement('kbd'), { textContent: key }));
+      button.prepend(element('kbd', {}, key));
       button.setAttribute('aria-keyshortcuts', key);
     }
     button.addEventListener('click', () => this.list.choose(index));
@@ -93,10 +93,10 @@ export class NamedListDialog {
 
   private row(list: NamedList, { name: given, picture, key }: NamedItem, index: number): HTMLElement {
     const name = shownName(given);
-    const row = document.createElement('li');
-    if (key) row.append(Object.assign(document.createElement('kbd'), { textContent: key }));
-    if (picture) row.append(Object.assign(document.createElement('img'), { alt: '', src: picture }));
-    const field = Object.assign(document.createElement('input'), { type: 'text', value: name, maxLength: 40 });
+    const row = element('li');
+    if (key) row.append(element('kbd', {}, key));
+    if (picture) row.append(element('img', { alt: '', src: picture }));
+    const field = element('input', { type: 'text', value: name, maxLength: 40 });
     field.setAttribute('aria-label', `Name of ${name}`);
     field.addEventListener('change', () => this.show(list.rename(index, field.value)));
     const choose = (): void => {
