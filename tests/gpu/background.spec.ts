@@ -1,4 +1,7 @@
+import { type BackgroundField, lineAt, lineWidth, placeOnLine } from '../../src/vector/shading/background.js';
 import { expect } from '../browser/test.js';
+import { coverage } from './engravedDarkness.js';
+import { expectEqualPictures, pictureError } from './pictureError.js';
 import { test } from './toolkitPage.js';
 
 /** The ink of a background on both sides of a ball, and in its middle where the ball hides it, under lights from both sides. */
@@ -76,4 +79,47 @@ test('a background has the tone that is asked for where nothing lights it, and e
   });
   for (const [i, tone] of [0.1, 0.25, 0.5].entries()) expect(Math.abs(tones[i] - tone)).toBeLessThan(0.03);
   expect(rim / (4 * 96 * 3)).toBeLessThan(0.01);
+});
+
+test('every pixel of a background is that of the lines of vector files', async ({ page }) => {
+  const lamp = [3, 1, 1] as const;
+  const { pixels, size, sheet, subject } = await page.evaluate(async ([x, y, z]) => {
+    const { THREE, HatchingBackground, pixelsOf, sceneOf, sun, SIZE } = window.toolkit;
+    const ball = new THREE.Mesh(new THREE.SphereGeometry(0.5));
+    ball.position.x = 0.2;
+    // It hides nothing.
+    ball.visible = false;
+    const background = new HatchingBackground(ball, {
+      spacing: 6,
+      direction: 0.5,
+      extent: 2,
+      tone: 0.4,
+      contrast: 0.7,
+    });
+    background.ink.set('black');
+    const scene = sceneOf(ball, background, sun(Math.PI, [x, y, z]));
+    scene.background = new THREE.Color('white');
+    const pixels = pixelsOf(scene);
+    const { sheet, subject } = background.material.uniforms;
+    return { pixels, size: SIZE, sheet: sheet.value.toArray(), subject: subject.value.toArray() };
+  }, lamp);
+  const away = Math.hypot(...lamp);
+  const field: BackgroundField = {
+    ...{ tone: 0.4, contrast: 0.7, spacing: 6, direction: [Math.cos(0.5), Math.sin(0.5)], extent: 2 },
+    ...{ sheet: [sheet[2], sheet[3]], centre: [subject[0], subject[1]], half: [subject[2], subject[3]] },
+    lit: [lamp[0] / away, lamp[1] / away],
+  };
+  const expected = new Map<number, [number, number, number]>();
+  for (let pixel = 0; pixel < size * size; pixel++) {
+    const place = [(pixel % size) + 0.5, Math.floor(pixel / size) + 0.5] as const;
+    const line = lineAt(field, place);
+    const middle = placeOnLine(field, line, 0);
+    const [dx, dy] = [place[0] - middle[0], place[1] - middle[1]];
+    const half = 0.5 * lineWidth(field, line, place);
+    const blank = 1 - coverage(Math.abs(dy * field.direction[0] - dx * field.direction[1]), half);
+    expected.set(pixel, [blank, blank, blank]);
+  }
+  const inked = [...expected.values()].filter(([blank]) => blank < 0.9).length;
+  expect(inked).toBeGreaterThan(1000);
+  expectEqualPictures(pictureError(pixels, expected));
 });

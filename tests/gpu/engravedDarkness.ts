@@ -111,8 +111,8 @@ export function engravedDarkness(scene: EngravedScene, reference: HatchingRefere
   };
 }
 
-/** As in `lineCoverage.glsl`. */
-const coverage = (away: number, half: number): number =>
+/** The share of a pixel that a line covers, by the distance from its middle and half its width, as in `lineCoverage.glsl`. */
+export const coverage = (away: number, half: number): number =>
   Math.min(Math.max(Math.max(half, 0.5) + 0.5 - away, 0), 1) * Math.min(2 * half, 1);
 
 /** The darkness of one family, where its function has a value: the sum over the lines that may touch the pixel. */

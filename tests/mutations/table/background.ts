@@ -23,4 +23,15 @@ export const background: readonly Mutation[] = [
       title: 'a background has the tone that is asked for',
     },
   },
+  {
+    name: 'both ends of a line of a background are as ragged',
+    file: 'shaders/background/background.frag',
+    find: 'hash01(line, step(0.0, along))',
+    replace: 'hash01(line, 0.0)',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/background.spec.ts',
+      title: 'every pixel of a background is that of the lines of vector files',
+    },
+  },
 ];
