@@ -14,7 +14,7 @@ struct HatchingSurface {
   float plane; // 1 on plane surfaces, 0 on round ones
 };
 
-// 1 where the normal changes by less than 2e-5 from one pixel to the next, 0 from 1e-4 on.
+// The flatness of a surface: 1 where the normal changes by less than 2e-5 from one pixel to the next, 0 from 1e-4 on.
 float planeness(const in vec3 smoothNormal) {
   #if TONE_MODEL == TONE_MODEL_SHADOW
     return 0.0; // The tone of a dissolving shadow is the share of the light that it takes.

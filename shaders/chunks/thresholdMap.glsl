@@ -46,7 +46,7 @@ ThresholdLevel chooseLevel(const in float level) {
   return ThresholdLevel(corner * thresholdMapTexel, size * thresholdMapTexel, share, inversesqrt(variance), mixing);
 }
 
-// As stored: on the level, and on the next coarser one.
+// The stored values: on the level, and on the next coarser one.
 vec2 thresholdsAt(const in vec2 uv, const in ThresholdLevel level) {
   // Not texture(), which needs derivatives: some fragments of a quad may not get here.
   return textureLod(thresholdMap, level.corner + level.side * fract(uv), 0.0).rg;

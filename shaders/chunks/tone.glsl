@@ -42,7 +42,7 @@ PerToneNormal shadedTone(const in HatchingSurface surface) {
     if (toneEnds.y <= toneEnds.x) return PerToneNormal(0.0);
     // The share of the light that arrives. Without any light that a shadow could take, nothing is printed.
     PerToneNormal arriving = (surface.radiance + NO_LIGHT) / (surface.radiance + surface.shadowed + NO_LIGHT);
-    // Where all of it arrives nothing is printed either, whatever tone the curve gives to full light.
+    // Full light prints nothing either, whatever tone the curve gives it.
     PerToneNormal tone = max(toneFromRadiance(arriving) - arriving * toneEnds.x, 0.0);
     #ifdef DISSOLVES_SHADOWS
       tone *= shadowTone * shadowLeft();

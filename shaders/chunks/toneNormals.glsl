@@ -1,7 +1,7 @@
 // N_t, the normal that tone is computed from: face normals, several at once in some techniques, or one smooth normal.
 #include "technique/faceNormals"
 
-// 1 on front faces, −1 on back faces.
+// The sign of a face: 1 in front, −1 at the back.
 float seenSide(const in float faceDirection) {
   #ifdef DOUBLE_SIDED
     return faceDirection;

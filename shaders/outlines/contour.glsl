@@ -17,7 +17,7 @@ bool zeroSet(
   end = noEnd();
   bvec3 positive = greaterThanEqual(values, vec3(0.0));
   if (all(positive) || !any(positive)) return false;
-  // From the corner with the lone sign to the next two.
+  // The edges from the corner with the lone sign to the other two are cut.
   if (positive.y == positive.z) {
     start = endBetween(a, b, values.x / (values.x - values.y));
     end = endBetween(a, c, values.x / (values.x - values.z));

@@ -104,7 +104,7 @@ void coverPiece(const in Piece piece, const in int corner) {
   #endif // HIDDEN
   if (hasSceneDepth && size < SHORT) {
     Spine spine = Spine(a, along, size);
-    // Wholly hidden pieces are skipped, though fragments would test them too; for hidden outlines, wholly visible ones.
+    // Wholly hidden pieces are skipped here, to save the tests of their fragments; for hidden outlines, wholly visible ones.
     bvec3 seen = bvec3(isSeen(spine, a), isSeen(spine, middle), isSeen(spine, b));
     #ifdef HIDDEN
       if (all(seen)) return;

@@ -34,7 +34,7 @@ Piece featureEdge(
   const in uint flags, const in OutlinePoint leftStart, const in OutlinePoint leftEnd,
   const in OutlinePoint rightStart, const in OutlinePoint rightEnd
 ) {
-  // With contrary windings the normals of the right side point inwards.
+  // The normals of the right side point inwards where windings are contrary.
   float sign = (flags & EDGE_CONTRARY) != 0u ? -1.0 : 1.0;
   vec2 left = vec2(leftStart.facing, leftEnd.facing);
   vec2 right = sign * vec2(rightStart.facing, rightEnd.facing);

@@ -1,4 +1,4 @@
-// Which outlines are visible, and their weight by what lies behind them. Tests are made at the spine, at the point nearest to a pixel ("Two
+// The visibility of outlines, and their weight by what lies behind them. Tests are made at the spine, at the point nearest to a pixel ("Two
 // fast methods for high-quality line visibility", Cole and Finkelstein, 2010), so that an outline is visible over its whole width or not at
 // all.
 uniform float outlineWidth; // pixels
@@ -47,7 +47,7 @@ bool isCutAway(const in Spine spine, const in vec2 place) {
   return min(gapAt(spine, place + beside), gapAt(spine, place - beside)) > vTolerance + CUT_SLOPE * pixel;
 }
 
-// 1 if what lies so far behind, as a share of the height of the view, counts as paper.
+// The share to which a surface counts as paper. gap: its distance behind the outline, as a share of the height of the view.
 float paperness(const in float gap) {
   return smoothstep(BEGINS_AS_PAPER, IS_PAPER, gap);
 }

@@ -47,7 +47,7 @@ OutlinePoint readPoint(const in uint word, const in vec4 eye) {
     p.position = texelFetch(deformedPositions, vertex, 0).xyz;
     vec4 turn = texelFetch(deformedTurns, vertex, 0);
     if (turn == vec4(0.0)) {
-      // With morph targets only the normal is known.
+      // Morph targets change the normal only.
       vec3 n = texelFetch(deformedNormals, vertex, 0).xyz;
       if (dot(n, n) > 0.0) p.normal = normalize(n);
     } else {

@@ -21,7 +21,7 @@ vec3 normalInView(const in vec3 normal) {
 }
 
 // Multiplies the weights of an end by the effect of the light. light: unit, or 0 if no light has a direction. sight: direction to the eye.
-// Both in view space.
+// Both vectors are in view space.
 void shadeEnd(inout PieceEnd end, const in float contour, const in vec3 light, const in vec3 sight) {
   vec3 normal = normalInView(end.normal);
   float weight = mix(shadeWeights.x, shadeWeights.y, smoothstep(LIT, SHADED, 0.5 - 0.5 * dot(normal, light)));

@@ -60,7 +60,7 @@ interface ShadowSums {
   lost: Value;
 }
 
-/** As shaders/chunks/radiance.glsl: the radiance that a white surface shows under the scene's lights. three's own nodes walk the lights. */
+/** The radiance of a white surface under the scene's lights, as in shaders/chunks/radiance.glsl. three's own nodes loop over the lights. */
 export class HatchingLightingModel extends LightingModel {
   private radiance!: Value;
   /** 1 where the surface is plane, 0 where it is round. */
@@ -90,13 +90,13 @@ export class HatchingLightingModel extends LightingModel {
     // The tone of a dissolving shadow is the share of the light that it takes.
     this.plane = this.dissolves ? float(0) : isRound.oneMinus().toVar();
     this.receivedShadows = [];
-    const isTold = (this.dissolves || this.choices.shadowStrokes !== 'tone') && hasShadows(builder, this.lights);
-    this.sums = isTold ? { shadowed: float(0).toVar(), taken: float(0).toVar(), lost: float(0).toVar() } : null;
+    const isSeparate = (this.dissolves || this.choices.shadowStrokes !== 'tone') && hasShadows(builder, this.lights);
+    this.sums = isSeparate ? { shadowed: float(0).toVar(), taken: float(0).toVar(), lost: float(0).toVar() } : null;
     const context = builder.context as LightingContext;
     // An application may have set one of its own.
     context.getShadow ??= (lit) => {
       const shadow = separateShadow(builder, lit, this.dissolves);
-      if (!isTold) return lit.baseColorNode.mul(shadow.shadow);
+      if (!isSeparate) return lit.baseColorNode.mul(shadow.shadow);
       this.shadow = shadow;
       return lit.baseColorNode;
     };
@@ -140,14 +140,14 @@ export class HatchingLightingModel extends LightingModel {
     let isShadowed: Value | null = null;
     if (this.choices.shadowStrokes === 'reorient') {
       const isTaken = facing.mul(shadow.mul(2).oneMinus()).greaterThan(LEAST_RESPONSE);
-      // Beyond the reach of a lamp there is no shadow of it.
+      // A lamp casts no shadow beyond its reach.
       isShadowed = (hasPlace(light) ? isTaken.and(luminance.greaterThan(0)) : isTaken).toVar();
     }
     this.receivedShadows.push({ ...received, isShadowed });
   }
 
   override indirect(builder: NodeBuilder): void {
-    // three.js walks lights with a direction before hemisphere and ambient lights.
+    // three.js adds lights with a direction before hemisphere and ambient lights.
     const open = openToLights().toVar();
     this.radiance.mulAssign(open);
     this.sums?.shadowed.mulAssign(open);

@@ -57,8 +57,8 @@ import { withVectors } from '../material/vectorValues.js';
 import { maxTextureSize, warnOnce } from './deviceLimits.js';
 import { dotLayerOf, exposureReady, patternReady, writeExposure, writePattern } from './fetchedCode.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
-import { darknessOf, emitVertex, pixelFromBelow } from './hatchSurface.js';
-import { lightLuminance } from './nodes/base/maths.js';
+import { darknessOf, emitVertex } from './hatchSurface.js';
+import { lightLuminance, pixelFromBelow } from './nodes/base/maths.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { fadingAt } from './nodes/chunks/fading.js';
 import { paper, printedColor } from './nodes/chunks/ink.js';
@@ -240,7 +240,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   writeDraw(renderer: WebGPURenderer, scene: Scene, camera: Camera, mesh: Mesh): void {
     const u = this.uniforms;
     const { look } = this;
-    // The functions below use only what both renderers have.
+    // The functions below use only features of both renderers.
     const asked = renderer as unknown as WebGLRenderer;
     if (!this.written.isOf(asked, camera)) {
       this.written.note(asked, camera);

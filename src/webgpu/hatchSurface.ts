@@ -1,4 +1,4 @@
-import type { BufferGeometry, Light } from 'three';
+import type { BufferGeometry } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { type ResolvedLook, resolveLook } from '../look/resolveLook.js';
 import { isFormed } from '../material/geometry/formGeometry.js';
@@ -9,7 +9,8 @@ import { emitAnchored } from './nodes/anchored/emit.js';
 import { hatch, shadowLayer } from './nodes/anchored/layers.js';
 import { type HatchingParameters, readHatchingParameters } from './nodes/anchored/read.js';
 import { type StrokeDefines, hatchLayer as strokeLayer } from './nodes/anchored/strokes.js';
-import { directedLights } from './nodes/base/lights.js';
+import { directedLights, lightsOf } from './nodes/base/lights.js';
+import { pixelFromBelow } from './nodes/base/maths.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { emitAnchor } from './nodes/chunks/anchor.js';
@@ -26,22 +27,15 @@ import { read } from './nodes/engraved/read.js';
 
 type Look = HatchingMaterialProperties;
 
-const { float, screenCoordinate, screenSize, vec2 } = tsl;
+const { float } = tsl;
 
 /** 0 while strokes have no map. */
 const inked = /* @__PURE__ */ hatchingUniform('inked', 'float');
 
-/** The pixel of the render target, counted from the lower left. */
-export const pixelFromBelow = (): Value => vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
-
-/** The lights of the scene. */
-export const lightsOf = (builder: NodeBuilder): readonly Light[] =>
-  (builder as NodeBuilder & { lightsNode: { getLights(): Light[] } | null }).lightsNode?.getLights() ?? [];
-
 /** Whether strokes are anchored; the other techniques are engraved. */
 const isAnchored = ({ technique }: Look): boolean => technique === 'anchored';
 
-/** How a look is drawn on the mesh for which nodes are built. */
+/** The look as resolved for the mesh for which nodes are built. */
 const resolvedFor = (look: Look, builder: NodeBuilder): ResolvedLook =>
   resolveLook(look, isFormed(builder.geometry as BufferGeometry) && hasRoomForForm(builder, isAnchored(look)));
 

@@ -10,7 +10,7 @@ void readStrokeAxes(const in vec3 n, inout HatchingParameters h) {
   along = squaredLength > 0.0 ? along * inversesqrt(squaredLength) : normalize(anyTangent(n));
   bool isAcross = STROKE_FIELD == STROKE_FIELD_ACROSS_FORM;
   #ifdef REORIENTS_IN_SHADOW
-    // Where no light arrives strokes run the other way.
+    // Strokes run the other way where no light arrives.
     if (isInFullShadow()) isAcross = !isAcross;
   #endif // REORIENTS_IN_SHADOW
   h.uAxis = isAcross ? cross(n, along) : along;

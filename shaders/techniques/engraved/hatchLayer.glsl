@@ -10,7 +10,7 @@ uniform float lineContrast; // 1: lines; 0: an even grey of the same tone
 // The darkness of three families printed over one another. first: tone of the first. crossing: tone of the other two together. lean: cosine
 // and sine of the angle at which they cross it.
 float families(const in HatchingParameters h, const in float first, const in float crossing, const in vec2 lean) {
-  // Where the first family has no lines, one of the two others leaning back is left out, since both would coincide.
+  // One of the two families that lean back is left out where the first has no lines, since both would coincide.
   float shareB = lean.y < 0.0 ? h.shareB + h.firstShare - 1.0 : h.shareB;
   float blankB = mix(1.0, 1.0 - crossing, shareB);
   float blankC = (1.0 - crossing) / max(blankB, 1e-4);

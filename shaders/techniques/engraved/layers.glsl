@@ -1,1 +1,1 @@
-// No layers: families of lines cross within one layer.
+// Families of lines cross within one layer.

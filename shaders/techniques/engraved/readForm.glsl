@@ -30,7 +30,7 @@ HatchingParameters readHatchingParameters() {
     h.coarsest = COARSEST_OCTAVES;
   #endif // LINE_FIELD
   #ifdef REORIENTS_IN_SHADOW
-    // Where no light arrives the families change places.
+    // The families change places where no light arrives.
     if (isInFullShadow()) {
       first = vFormCrossing;
       crossing = vForm;

@@ -165,11 +165,11 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   ): void {
     const u = this.uniforms;
     this.writeLook(renderer.getPixelRatio());
-    // With one material for all groups there are no borders between materials.
+    // A mesh with one material has no borders between materials.
     if (!Array.isArray(mesh.material)) u.materialBorders.value = 0;
     (u.viewport.value as Vector4).copy(viewport);
     u.nearDistance.value = (camera as PerspectiveCamera).near ?? 0;
-    // It uses only what both renderers have.
+    // The function uses only features of both renderers.
     writeFading(look, u, renderer as unknown as WebGLRenderer, camera);
     writeSheet(u.sheet.value, camera, viewport, u.toothOffset.value);
     writeImportance(mesh, takesWeight(look), u);

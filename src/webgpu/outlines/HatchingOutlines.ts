@@ -42,7 +42,7 @@ const size = /* @__PURE__ */ new Vector2();
 
 const NONE: readonly OutlinePart[] = [];
 
-let wasToldOfRenderer = false;
+let hasWarnedOfRenderer = false;
 
 /**
  * Draws the contours, borders and creases of a mesh with WebGPURenderer, as the class of the same name does with WebGLRenderer. Add it to
@@ -106,7 +106,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
       );
       return;
     }
-    // It uses only what both renderers have.
+    // The function uses only features of both renderers.
     if (mesh.frustumCulled && !isInFrustum(mesh, renderer as unknown as WebGLRenderer, camera)) return;
     this.drawn = parts;
     this.isDeformed = this.bindDeformation(renderer, camera, mesh);
@@ -216,8 +216,8 @@ function writeViewport(renderer: WebGPURenderer, viewport: Vector4): void {
 }
 
 function warnOfWebGLRenderer(): void {
-  if (wasToldOfRenderer) return;
-  wasToldOfRenderer = true;
+  if (hasWarnedOfRenderer) return;
+  hasWarnedOfRenderer = true;
   warn(
     "HatchingOutlines of 'three-hatching/webgpu' are drawn by WebGPURenderer alone. Under WebGLRenderer take those of 'three-hatching'.",
     'error',

@@ -14,7 +14,7 @@ export interface StrokeAxes {
   /** The strokes' u and v in the surface, object space. */
   uAxis: Value;
   vAxis: Value;
-  /** How far the lights disagree. */
+  /** The disagreement of the lights, from 0 to 1. */
   crossing: Value;
 }
 

@@ -36,7 +36,7 @@ const EDGE_COVER = 1 / 12;
 const LEAST_SQUARED_RADIUS = 0.25;
 const FADING = 3;
 
-/** How coordinates of a plane change on the screen. */
+/** The screen-space derivatives of the coordinates of a plane. */
 export interface PlaneOnScreen {
   /** Per pixel. */
   gradientU: Value;

@@ -123,7 +123,7 @@ function latticeField(h: HatchingParameters, lattice: Value, level: ThresholdLev
   const { offsets, weights, hashes } = nearestAnchors(h.point.mul(scale).toVar(), lattice);
   const bitsFrom = (shift: number, mask: number): Value =>
     vec4(hashes.shiftRight(uvec4(shift)).bitAnd(uvec4(mask))).toVar();
-  // Where B turns into −B strokes stay: the map is symmetric about its centre, and is shifted by half tiles only.
+  // Strokes stay where B turns into −B: the map is symmetric about its centre, and is shifted by half tiles only.
   const shiftU = isUpToSign ? bitsFrom(0, 1).mul(0.5) : bitsFrom(0, 0xffff).mul(1 / 65536);
   const shiftV = isUpToSign ? bitsFrom(16, 1).mul(0.5) : bitsFrom(16, 0xffff).mul(1 / 65536);
   const along = vec4(...offsets.map((offset) => dot(h.uAxis, offset))).mul(anchorSpacing);
@@ -178,7 +178,7 @@ function anchoredField(
   return { field: { g, mixing }, crowding };
 }
 
-/** Not to be called in branches: the edges of strokes need screen-space derivatives. */
+/** Must not be called in branches, since the edges of strokes need screen-space derivatives. */
 export function hatchLayer(h: HatchingParameters, tone: Value, defines: StrokeDefines): Value {
   const isInked = tone.add(fwidth(tone)).greaterThan(0).toVar();
   const { field, crowding } = anchoredField(h, isInked, defines);

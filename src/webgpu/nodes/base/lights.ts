@@ -1,9 +1,14 @@
 import { Color, type HemisphereLight, type Light, type PointLight, type SpotLight, Vector3 } from 'three';
+import type { LightsNode, NodeBuilder } from 'three/webgpu';
 import { lightLuminance } from './maths.js';
 import { threeNodes, tsl, type Value } from './values.js';
 
 const { clamp, dot, float, length, max, pow, select, smoothstep, vec3 } = tsl;
 const { renderGroup, uniform } = threeNodes;
+
+/** The lights of the scene. */
+export const lightsOf = (builder: NodeBuilder): readonly Light[] =>
+  (builder as NodeBuilder & { lightsNode: LightsNode | null }).lightsNode?.getLights() ?? [];
 
 /** Whether a light has a position. */
 export const hasPlace = (light: Light): boolean => 'isPointLight' in light || 'isSpotLight' in light;
@@ -15,7 +20,7 @@ export const directedLights = (lights: readonly Light[]): Light[] =>
 /** A light that casts shadows, at a fragment. */
 export interface ReceivedShadow {
   light: Light;
-  /** 1 where all of it arrives, 0 where nothing does. */
+  /** The share of the light that arrives. */
   shadow: Value;
   /** The share of the tone of its shadow that is left; null where shadows do not dissolve. */
   toneLeft: Value | null;

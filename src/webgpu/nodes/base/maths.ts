@@ -1,6 +1,7 @@
 import { type Input, tsl, type Value } from './values.js';
 
-const { clamp, cross, dot, exp, float, inverseSqrt, mat3, max, min, select, step, transpose, vec2, vec3 } = tsl;
+const { clamp, cross, dot, exp, float, inverseSqrt, mat3, max, min, screenCoordinate, screenSize, select } = tsl;
+const { step, transpose, vec2, vec3 } = tsl;
 
 /** 3 × 3 matrices, for functions that WGSL lacks. */
 
@@ -24,6 +25,9 @@ export const identity = (): Value => mat3(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 
 
 /** Whether the camera is orthographic: the last row of its projection ends in 1, in WebXR too. */
 export const isOrthographic = (): Value => tsl.cameraProjectionMatrix.element(3).element(3).equal(1);
+
+/** The pixel of the render target, counted from the lower left. */
+export const pixelFromBelow = (): Value => vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y));
 
 /**
  * Counterpart of shaders/chunks/safeNormalize.glsl: the unit vector, or the direction to the viewer for the null vector that a zero-area

@@ -53,43 +53,18 @@ interface Branches {
   Else(then: () => void): void;
 }
 
+type Types = 'float' | 'int' | 'uint' | 'bool' | 'vec2' | 'vec3' | 'vec4' | 'ivec2' | 'ivec3' | 'uvec3' | 'uvec4';
+type Matrices = 'mat3' | 'mat4' | 'determinant' | 'inverse' | 'transpose';
+type Rounding = 'abs' | 'ceil' | 'floor' | 'round' | 'fract' | 'sign' | 'step' | 'smoothstep' | 'min' | 'max' | 'clamp';
+type Powers = 'sqrt' | 'inverseSqrt' | 'exp' | 'exp2' | 'log2' | 'pow' | 'sin' | 'cos';
+type Vectors = 'cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'transformNormalToView';
+type Bits = 'floatBitsToInt' | 'floatBitsToUint' | 'intBitsToFloat' | 'uintBitsToFloat';
+type Packed = 'unpackHalf2x16' | 'unpackSnorm2x16';
+type OfStages = 'dFdx' | 'dFdy' | 'fwidth' | 'varying' | 'textureSize';
+
 interface Shading
   extends Record<
-    | (
-        | 'float'
-        | 'int'
-        | 'uint'
-        | 'bool'
-        | 'vec2'
-        | 'vec3'
-        | 'vec4'
-        | 'ivec2'
-        | 'ivec3'
-        | 'uvec3'
-        | 'uvec4'
-        | 'mat3'
-        | 'mat4'
-      )
-    | (
-        | 'abs'
-        | 'ceil'
-        | 'floor'
-        | 'round'
-        | 'fract'
-        | 'sign'
-        | 'sqrt'
-        | 'inverseSqrt'
-        | 'exp'
-        | 'exp2'
-        | 'log2'
-        | 'sin'
-        | 'cos'
-      )
-    | ('dFdx' | 'dFdy' | 'fwidth')
-    | ('min' | 'max' | 'clamp' | 'mix' | 'step' | 'smoothstep' | 'pow' | 'select')
-    | ('add' | 'cross' | 'distance' | 'dot' | 'length' | 'normalize' | 'determinant' | 'inverse' | 'transpose')
-    | ('floatBitsToInt' | 'floatBitsToUint' | 'intBitsToFloat' | 'varying')
-    | ('textureSize' | 'transformNormalToView' | 'uintBitsToFloat' | 'unpackHalf2x16' | 'unpackSnorm2x16'),
+    Types | Matrices | Rounding | Powers | Vectors | Bits | Packed | OfStages | 'add' | 'mix' | 'select',
     Operation
   > {
   attribute(name: string, type: string): Value;

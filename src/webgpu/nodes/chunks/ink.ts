@@ -15,7 +15,7 @@ const CROWDED = 2.5;
 /** A field that is compared with a tone: standard normal, except for the skew of mixed levels. */
 export interface HatchField {
   g: Value;
-  /** 0 on one level, 1 half way between two. */
+  /** The mixing of levels: 0 on a level, 1 half way between two. */
   mixing: Value;
 }
 

@@ -15,7 +15,7 @@ export interface ShadowValues {
   normalBias: Value;
   /** Texels. */
   radius: Value;
-  /** Of the shadow camera. */
+  /** Depth range of the shadow camera. */
   near: Value;
   far: Value;
 }

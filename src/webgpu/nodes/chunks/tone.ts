@@ -67,7 +67,7 @@ function toneOfShadows({ radiance, shadowed, shadowLeft }: HatchingSurface, rule
   // The share of the light that arrives. Without any light that a shadow could take, nothing is printed.
   const all = radiance.add(shadowed).add(NO_LIGHT);
   const arriving = radiance.add(NO_LIGHT).div(all).toVar();
-  // Where all of it arrives nothing is printed either, whatever tone the curve gives to full light.
+  // Full light prints nothing either, whatever tone the curve gives it.
   const tone = max(toneFromRadiance(arriving, rules).sub(arriving.mul(toneEnds.x)), 0).mul(shadowTone);
   // Light ink draws the lights: it leaves shadows blank, soft edges too.
   return select(toneEnds.y.lessThanEqual(toneEnds.x), float(0), shadowLeft ? tone.mul(shadowLeft) : tone);

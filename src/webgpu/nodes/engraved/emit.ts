@@ -31,7 +31,7 @@ const fieldOrigin = /* @__PURE__ */ hatchingUniform('fieldOrigin', 'vec3');
 export const objectToField: Value = /* @__PURE__ */ hatchingUniform('objectToField', 'mat3');
 const objectToFieldNormal = /* @__PURE__ */ hatchingUniform('objectToFieldNormal', 'mat3');
 
-/** @param field the field that lines are level sets of */
+/** @param field choices of the field that lines are level sets of */
 export function emitEngraved(
   builder: NodeBuilder,
   anchor: Anchor,

@@ -124,7 +124,7 @@ export function fieldLight(
 
 /** Counterpart of shaders/techniques/engraved/fieldAxis.glsl: the function whose level sets are lines. */
 
-/** The choices for lines cut by a field. */
+/** The choices that a field in space depends on. */
 export interface LineFieldChoices {
   /** The choice `lineField`. */
   lineField: string;

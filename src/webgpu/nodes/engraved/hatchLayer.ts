@@ -25,7 +25,7 @@ export function families(
 ): Value {
   const { x, y, z, w } = layerTurns;
   const lean = isOther ? ([z.negate(), w.negate()] as const) : ([x, y] as const);
-  // Where the first family has no lines, one of the two others leaning back is left out, since both would coincide.
+  // One of the two families that lean back is left out where the first has no lines, since both would coincide.
   const shareB = isOther ? h.shareB.add(h.firstShare).sub(1) : h.shareB;
   const blankB = mix(1, crossing.oneMinus(), shareB).toVar();
   const blankC = crossing.oneMinus().div(max(blankB, 1e-4)).toVar();

@@ -107,7 +107,7 @@ function strokeOn(
   const size = latenessOf(strokeHash01(bits, stroke.add(1)))
     .sub(late)
     .add(1);
-  // From −1 at one end to 1 at the other.
+  // The place on the stroke, from −1 at one end to 1 at the other.
   const way = along.sub(stroke).sub(late).mul(2).div(size).sub(1).toVar();
   // Properties of strokes are spread evenly over a surface. The first strokes to appear lie on one of three neighbouring lines.
   const even = strokeHash01(uint(hash.mul(16777216)).shiftLeft(uint(8)), stroke);

@@ -185,7 +185,7 @@ export function readFormLines(
   const coarsest = vec2(along, across).toVar();
   const isDark = isInFullShadow(lights, receivedShadows);
   if (isDark) {
-    // Where no light arrives the families change places.
+    // The families change places where no light arrives.
     If(isDark, () => {
       first.assign(vFormCrossing);
       crossing.assign(vForm);
@@ -237,8 +237,9 @@ export function readFormLines(
 }
 
 /**
- * Counterpart of shaders/techniques/engraved/read.glsl: the parameters of engraving at this fragment. @param choices the field that lines are
- * level sets of
+ * Counterpart of shaders/techniques/engraved/read.glsl: the parameters of engraving at this fragment.
+ *
+ * @param choices of the field that lines are level sets of
  */
 export const read = (
   builder: NodeBuilder,

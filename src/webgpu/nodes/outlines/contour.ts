@@ -28,7 +28,7 @@ export function zeroSet(
   const [va, vb, vc] = [valueAt(a), valueAt(b), valueAt(c)];
   const [pa, pb, pc] = [va, vb, vc].map((value) => value.greaterThanEqual(0).toVar());
   const hasPiece = bool(false).toVar();
-  // From the corner with the lone sign to the next two.
+  // The edges from the corner with the lone sign to the other two are cut.
   const cut = (one: OutlinePoint, next: OutlinePoint, last: OutlinePoint): void => {
     const value = valueAt(one);
     endBetween(start, one, next, value.div(value.sub(valueAt(next))));

@@ -69,7 +69,7 @@ export function featureEdge(
   [leftStart, leftEnd, rightStart, rightEnd]: readonly [OutlinePoint, OutlinePoint, OutlinePoint, OutlinePoint],
   isHidden: boolean,
 ): void {
-  // With contrary windings the normals of the right side point inwards.
+  // The normals of the right side point inwards where windings are contrary.
   const sign = select(hasFlag(flags, CONTRARY), float(-1), float(1)).toVar();
   const left = vec2(leftStart.facing, leftEnd.facing).toVar();
   const right = sign.mul(vec2(rightStart.facing, rightEnd.facing)).toVar();

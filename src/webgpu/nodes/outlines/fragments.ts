@@ -1,5 +1,5 @@
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
-import { lineCoverage, normalDistribution } from '../base/maths.js';
+import { lineCoverage, normalDistribution, pixelFromBelow } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { toothField } from '../chunks/dryMedium.js';
@@ -30,8 +30,8 @@ import {
   vTolerance,
 } from './varyings.js';
 
-const { abs, bool, clamp, Discard, distance, dot, float, floor, Fn, If, length, max, min, mix, screenCoordinate } = tsl;
-const { screenSize, select, sin, smoothstep, vec2, vec3, vec4 } = tsl;
+const { abs, bool, clamp, Discard, distance, dot, float, floor, Fn, If, length, max, min, mix, select } = tsl;
+const { sin, smoothstep, vec2, vec3, vec4 } = tsl;
 const { ACROSS_BEND, ACROSS_BENT, DASH, FAINT, FINE_PHASE, GAP, HIDDEN_WEIGHT, STRAY_ACROSS } = OUTLINE_CONSTANTS;
 const { STRAY_FINELY, STRAY_SHARES, STRAY_UP, UP_BEND, UP_BENT, UP_PHASE, WHOLE_FROM } = OUTLINE_CONSTANTS;
 
@@ -155,11 +155,8 @@ interface OnSpine {
   t: Value;
 }
 
-/** The pixel of a fragment, counted from the lower left. */
-const drawnPixel = (): Value => vec2(screenCoordinate.x, screenSize.y.sub(screenCoordinate.y)).toVar();
-
 export function onSpine({ WOBBLE }: OutlineDefines): OnSpine {
-  const pixel = drawnPixel();
+  const pixel = pixelFromBelow().toVar();
   const ends = vEnds.zw.sub(vEnds.xy).toVar();
   const size = length(ends).toVar();
   const along = select(size.greaterThan(1e-4), ends.div(max(size, 1e-4)), vec2(1, 0)).toVar();
@@ -184,7 +181,7 @@ export const fragments = (defines: OutlineDefines): Value =>
     spinePosition.assign(mix(vStart.xyz, vEnd.xyz, alongLine(t, spine)));
     // Per fragment, not at the ends: an edge may run across the whole sheet.
     const usual = mix(vHalfWidths.xz, vHalfWidths.yw, t);
-    const halves = outlineFadingAt(spinePosition, drawnPixel()).mul(usual).toVar();
+    const halves = outlineFadingAt(spinePosition, pixelFromBelow().toVar()).mul(usual).toVar();
     const most = max(halves.x, halves.y).toVar();
     const coverage = float(0).toVar();
     If(away.lessThanEqual(max(most.mul(accents.add(1)), 0.5).add(0.5)), () => {
@@ -213,7 +210,7 @@ export const fragments = (defines: OutlineDefines): Value =>
           const pressed = defines.WOBBLE ? pressureWave(mix(vAnchorStart, vAnchorEnd, alongLine(t, spine))) : float(1);
           // Overlapping ends are narrower, or their soft sides would add up at each joint.
           const across = away.div(max(halfWidth, 0.5)).mul(select(isAtEnd, float(1.6), float(1)));
-          coverage.mulAssign(dryInk(min(across, 1).toVar(), pressed, drawnPixel()));
+          coverage.mulAssign(dryInk(min(across, 1).toVar(), pressed, pixelFromBelow().toVar()));
         }
       });
     });

@@ -72,7 +72,7 @@ export function isCutAway(spine: Spine, place: Value, builder: NodeBuilder): Val
   return cutAway;
 }
 
-/** 1 if what lies so far behind, as a share of the height of the view, counts as paper. */
+/** The share to which a surface counts as paper. @param gap its distance behind the outline, as a share of the height of the view */
 const paperness = (gap: Value): Value => smoothstep(BEGINS_AS_PAPER, IS_PAPER, gap);
 
 /**

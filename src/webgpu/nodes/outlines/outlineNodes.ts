@@ -1,5 +1,6 @@
-import type { Light, Vector4 } from 'three';
-import type { LightsNode, Node, NodeBuilder } from 'three/webgpu';
+import type { Vector4 } from 'three';
+import type { Node, NodeBuilder } from 'three/webgpu';
+import { lightsOf } from '../base/lights.js';
 import { isOrthographic } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { threeNodes, tsl, type Value } from '../base/values.js';
@@ -21,11 +22,6 @@ const { cameraWorldMatrix, renderGroup, uniformArray, viewZToLogarithmicDepth, v
  */
 
 const eye = /* @__PURE__ */ hatchingUniform('eye', 'vec4');
-
-function lightsOf(builder: NodeBuilder): readonly Light[] {
-  const { lightsNode } = builder as NodeBuilder & { lightsNode: LightsNode | null };
-  return lightsNode ? lightsNode.getLights() : [];
-}
 
 /** The position in clip space. */
 export const vertices = (defines: OutlineDefines): Value =>

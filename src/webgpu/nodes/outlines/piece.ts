@@ -11,7 +11,7 @@ export interface PieceEnd {
   position: Value;
   /** Object space, at rest. */
   anchor: Value;
-  /** Not of unit length. */
+  /** A vector of any length. */
   normal: Value;
   /** Weight of the outline before paper. */
   weight: Value;

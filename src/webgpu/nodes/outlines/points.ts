@@ -24,7 +24,7 @@ export interface OutlinePoint {
   position: Value;
   /** Object space, at rest. */
   anchor: Value;
-  /** Of unit length. */
+  /** Unit vector. */
   normal: Value;
   /** n·v: above 0 where the surface faces the eye. */
   facing: Value;
@@ -60,7 +60,7 @@ export function readPoint(word: Value, eye: Value): OutlinePoint {
       toRest.assign(turnBack(turn));
       normal.assign(transpose(toRest).mul(normal));
     }).Else(() => {
-      // With morph targets only the normal is known.
+      // Morph targets change the normal only.
       If(dot(turn, turn).greaterThan(0), () => {
         normal.assign(normalize(turn.xyz));
       });

@@ -77,7 +77,7 @@ function viewZOf(depth: Value, { renderer }: NodeBuilder): Value {
       read.logarithmic(depth, cameraNear, cameraFar),
     );
   }
-  // With WebGL 2 too a reversed depth lies in [0, 1].
+  // A reversed depth lies in [0, 1] with WebGL 2 too.
   const isHalf = renderer.coordinateSystem === WebGPUCoordinateSystem || renderer.reversedDepthBuffer;
   const clip = (isHalf ? depth : depth.mul(2).sub(1)).toVar();
   return projection(3, 2)
