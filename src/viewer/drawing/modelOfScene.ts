@@ -165,6 +165,8 @@ function removeUnseen(root: Object3D): void {
     if (!mesh.parent || [mesh.material].flat().some((material) => material?.visible)) continue;
     const plain = Object3D.prototype.copy.call(new Object3D(), mesh, false);
     plain.uuid = mesh.uuid;
+    // Tracks of a clip go on to set them.
+    Object.assign(plain, { morphTargetInfluences: mesh.morphTargetInfluences });
     mesh.parent.add(plain);
     mesh.removeFromParent();
     for (const child of [...mesh.children]) plain.add(child);

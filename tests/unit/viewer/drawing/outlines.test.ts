@@ -1,4 +1,5 @@
 import {
+  AnimationClip,
   BoxGeometry,
   Float32BufferAttribute,
   Group,
@@ -6,10 +7,11 @@ import {
   Matrix4,
   Mesh,
   MeshStandardMaterial,
+  NumberKeyframeTrack,
   type Object3D,
   Texture,
 } from 'three';
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
 import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
@@ -136,3 +138,19 @@ test.each(['sketch', 'ink', 'colour', 'shadow', 'strokes', 'outline'] as const)(
     model.dispose();
   },
 );
+
+test('a clip may move the shapes of a mesh that cannot be seen', async () => {
+  const scene = someScene();
+  const hidden = new BoxGeometry();
+  hidden.morphAttributes.position = [hidden.getAttribute('position').clone()];
+  const mesh = new Mesh(hidden, new MeshStandardMaterial({ transparent: true, opacity: 0 }));
+  mesh.name = 'hidden';
+  scene.add(mesh);
+  const clip = new AnimationClip('wave', -1, [new NumberKeyframeTrack('hidden.morphTargetInfluences', [0, 1], [0, 1])]);
+  const warned = vi.spyOn(console, 'warn');
+  const errors = vi.spyOn(console, 'error');
+  const { model } = await modelOfScene({ root: scene, animations: [clip] }, { ...OPTIONS, onGeometry: () => {} });
+  model.motion!.time = 0.5;
+  expect([...warned.mock.calls, ...errors.mock.calls]).toEqual([]);
+  model.dispose();
+});
