@@ -139,7 +139,7 @@ test('every call of the command in README and guides runs', { tag: '@all' }, () 
     writeFileSync(join(work, name), octahedronBinaryStl());
   writeFileSync(join(work, 'hand.json'), /^```json\n([\s\S]*?)^```/m.exec(DOCUMENTS['docs/hand.md'])![1]);
   for (const { line, args, input, output } of SAMPLE_CALLS) {
-    // On a sheet that is soon drawn.
+    // A small sheet, which is drawn fast.
     const small = args[0] === 'draw' ? ['--sheet', '30x30', '--no-shadows'] : [];
     const { status, stdout, stderr } = spawnSync(process.execPath, [script, ...args, ...small], {
       cwd: work,

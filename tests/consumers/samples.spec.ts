@@ -48,7 +48,7 @@ for (const guide of GUIDES) {
       const drawn = async (): Promise<number> => drawnShare(await page.screenshot({ path }));
       await expect.soft.poll(drawn, { message: name, intervals: [100, 250] }).toBeGreaterThan(LEAST_DRAWN);
       expect.soft(pageProblems.splice(0), name).toEqual([]);
-      // Its renderer would go on to draw the scene of the next sample.
+      // The renderer would otherwise draw the scene of the next sample.
       if (/const renderer = new/.test(code)) await open(page);
     }
   });

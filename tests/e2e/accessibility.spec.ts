@@ -60,7 +60,7 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
   await expect(width).toHaveAttribute('aria-valuemin', '0.5');
   await expect(width).toHaveAttribute('aria-valuemax', '8');
 
-  // In colours that the reader has chosen, what shows a state keeps one.
+  // Marks of a state keep a colour under the reader's own colours.
   await page.emulateMedia({ forcedColors: 'active' });
   const pen = page.getByRole('button', { name: 'Pen', exact: true });
   await pen.click();

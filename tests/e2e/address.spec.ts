@@ -130,7 +130,7 @@ test('an agreement is to one model on one site, whatever a link, its sender or a
   await expect(question).toBeVisible();
   await page.goBack();
   await expect(question).toBeHidden();
-  // Two at once, before the first can have been asked.
+  // Two links at once, before the question about the first can be shown.
   await page.evaluate(
     (links) => {
       for (const link of links) location.hash = link;

@@ -161,7 +161,7 @@ test.describe('<hatched-model>', () => {
     return PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
   };
 
-  // Three models are loaded whenever the page is opened: as few times as will do.
+  // The page loads three models whenever it is opened, so the test opens it rarely.
   test('turns by keys and by hand, draws as its attributes say and only then, and has strokes as wide on a dense screen', {
     tag: '@all',
   }, async ({ page }) => {

@@ -188,7 +188,7 @@ test('the pages link to each other', { tag: '@all' }, async ({ page }) => {
   await page.getByRole('link', { name: 'Playground' }).click();
   await expect(page.locator('#drawing')).toBeVisible();
   await ready(page);
-  // On the development server, too.
+  // The links work on the development server too.
   expect((await page.request.get('/figures')).url()).toMatch(/\/figures\/$/);
 });
 

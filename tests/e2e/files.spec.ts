@@ -80,7 +80,7 @@ test('what a model has behind glass is drawn, and glass casts no shadow', { tag:
     return readDrawing(page);
   };
   const [opaque, glass] = [await drawn(1), await drawn(0.25)];
-  // Between the box and its shell there is paper, but for a few strokes.
+  // The space between the box and its shell is paper, except for a few strokes.
   expect(changedShare(opaque, glass)).toBeGreaterThan(0.1);
   expect(meanInk(glass)).toBeLessThan(0.7 * meanInk(opaque));
 });
@@ -270,7 +270,7 @@ test('a file that cannot be read gives one clear sentence and leaves the drawing
 test('joining the triangles of a large model can be cancelled', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, SMALL);
   const before = await readDrawing(page);
-  // In the page, because the bake does not wait; and after the placeholder was drawn, which has to go again.
+  // The click is made in the page, because the bake does not wait, and after the placeholder was drawn, which must be removed again.
   const shown = await page.evaluate(
     () =>
       new Promise<string>((resolve) => {

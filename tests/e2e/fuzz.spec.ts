@@ -19,12 +19,12 @@ const CASES: [kind: string, seed: number][] = [
   ['usd', 10],
   ['3mf', 11],
   ['draco', 30],
-  // Its packed data are damaged.
+  // A file with damaged packed data.
   ['draco', 254],
   ['strokes', 47],
   ['animated', 21],
   ['parts', 22],
-  // Two links, of which the second is agreed to; three, of which none is.
+  // The second of two links is agreed to, and none of three.
   [QUESTIONS, 18],
   [QUESTIONS, 20],
 ];

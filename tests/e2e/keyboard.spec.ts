@@ -5,7 +5,7 @@ import { SHEET_SIZES } from '../../src/vector/svg/sheetSizes.js';
 import { openPlayground } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 
-/** More stops than the page has. */
+/** A limit above the number of tab stops of the page. */
 const MANY_STOPS = 400;
 
 /**

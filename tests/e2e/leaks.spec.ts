@@ -38,7 +38,7 @@ const keepControls = (page: Page) =>
     window.__kept.push(...document.querySelectorAll('#motion :not(option)'));
   });
 
-/** Everything that makes and frees: models with and without a skin, broken files, techniques, comparisons, maps, shadows, pictures. */
+/** Actions that allocate: models with and without a skin, broken files, techniques, comparisons, maps, shadows, pictures. */
 async function oneRound(page: Page): Promise<void> {
   for (const name of ['a.glb', 'b.glb']) {
     await drop(page, [file(name, columnGlb())]);

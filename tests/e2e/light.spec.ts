@@ -26,7 +26,7 @@ const PAPER =
   'exposure=fixed&technique=adjacency&strokeDirection=towards&lightStrength=100&reflectedLight=0&mapStyle=hatching&';
 /** Mean darkness of the darkest hatch image of the style. */
 const MAX_INK = 0.95;
-/** In degrees. The strokes of a map vary slightly in direction. */
+/** Tolerance of directions, degrees: the strokes of a map vary slightly. */
 const MAX_DEVIATION = 8;
 
 /** Direction to the light, by the label of its handle. The camera looks along −z. */

@@ -111,7 +111,7 @@ test('what nobody has opened yet opens without a connection, once the page has b
 }) => {
   await page.setViewportSize({ width: 1000, height: 600 });
   await openPlayground(page, SMALL);
-  // All of it is fetched, and nothing is run of it.
+  // All its files are fetched, and none is run.
   const parts = await fetchedAhead(page);
   expect(parts.length).toBeGreaterThan(20);
   await expect(page.locator('link[rel=modulepreload][href^=assets]')).toHaveCount(0);
@@ -128,7 +128,7 @@ test('what nobody has opened yet opens without a connection, once the page has b
   await expect(page.locator('#code-text')).toHaveValue(/applyHatching|HatchingMaterial/);
   await page.keyboard.press('Escape');
   await savePicture(page);
-  // Its worker cannot be fetched any more: it is read here.
+  // The worker can no longer be fetched, so the file is read on the main thread.
   await drop(page, [file('octahedron.obj', octahedronObj)]);
   await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
   await ready(page);
@@ -423,7 +423,7 @@ test('the keys are shown by ?, H, F1 and a button, but not by a letter in a fiel
   const width = page.getByRole('spinbutton', { name: 'Stroke scale' });
   for (const key of ['h', '?']) await width.press(key);
   await page.getByLabel('Technique').press('h');
-  // By then, it would have been opened.
+  // It would have opened by then.
   await page.locator('#drawing').press('ArrowLeft');
   await idle(page);
   await expect(dialog).toBeHidden();

@@ -8,7 +8,7 @@ import { changedShare, largestDifference } from './pictures.js';
 
 test.use({ viewport: { width: 640, height: 480 }, contextOptions: { reducedMotion: 'reduce' } });
 
-/** All there is: a ground with a shadow, strokes, lines, a coloured model. */
+/** A scene with a ground and its shadow, strokes, lines and a coloured model. */
 const LOOK = 'technique=anchored&model=cube&mapSize=64&mapTones=4&color=%23e0b070&shadows=on&ground=shadow';
 
 async function saved(page: Page): Promise<Buffer> {
@@ -86,7 +86,7 @@ test('an A6 sheet measures what it should; cut to the drawing it is the same, sm
   expect(Math.abs(wide - 148)).toBeLessThan(pixel / 2 + 0.01);
   expect(Math.abs(high - 105)).toBeLessThan(pixel / 2 + 0.01);
   expect(changedShare(shown, await readDrawing(page))).toBe(0);
-  // Also after the light has moved, for whose shadow the sheet is composed anew.
+  // The same after the light has moved, which changes the composition of the sheet for its shadow.
   await page.locator('#lamp').focus();
   for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
   const lit = await readDrawing(page);
@@ -137,7 +137,7 @@ test('the sheet that is chosen is framed over the drawing, which is composed for
   const frame = page.locator('.sheet-frame');
   await expect(frame).toHaveCount(0);
   const before = await readDrawing(page);
-  // Without looking first, it is the same picture.
+  // The picture is the same without a preview.
   const unseen = PNG.sync.read(await saved(page));
   await page.locator('#toggle-card').click();
   await page.getByRole('button', { name: 'Picture', exact: true }).click();

@@ -195,7 +195,7 @@ test('shadows of its own fall on a model, under every kind of light', { tag: '@a
 test('a model stands on its shadow or on a floor; a picture without paper keeps the shadow alone', {
   tag: '@all',
 }, async ({ page }) => {
-  // All of the shadow lies on the sheet: one that would leave it dissolves sooner.
+  // The whole shadow lies on the sheet: it dissolves sooner where it would leave it.
   const view =
     'model=sphere&camera=1.4,1.1,6.2,0,0,0&lightAzimuth=-60&lightElevation=50&outlines=off&technique=engraved&sizedOnScreen=100';
   const below: Region = { left: 0, top: 0.6, right: 1, bottom: 0.9 };

@@ -131,7 +131,7 @@ test('where no video is encoded, its frames are saved as pictures; what is lost 
   // Steps from frame to frame are equally large, including that from the last frame to the first.
   expect(Math.max(...steps)).toBeLessThan(3 * Math.min(...steps));
 
-  // Before anything moves, a frame is the picture of its size.
+  // The first frame equals a saved picture of its size.
   await page.getByRole('combobox', { name: 'Motion' }).selectOption('The light goes around');
   const [start] = Object.values(unzipSync((await record(page)).content));
   const [frame, picture] = [PNG.sync.read(Buffer.from(start)), await savePicture(page)];

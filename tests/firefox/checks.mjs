@@ -112,7 +112,7 @@ async function choose(page, folder, name, content) {
 
 /** Waits until the page is idle. @returns a picture of the drawing, without what lies over it */
 async function drawing(page) {
-  // Some of what was done to the page begins in a later task, or with the next refresh of the screen.
+  // Some actions on the page begin in a later task, or with the next refresh of the screen.
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))));
   await page.waitForFunction(() => document.documentElement.dataset.state === 'ready' && window.__playground.isIdle, {
     timeout: TIMEOUT_MILLISECONDS,

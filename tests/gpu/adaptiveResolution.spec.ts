@@ -24,7 +24,7 @@ test('movement is drawn at a lower pixel ratio, and rest at the full one', async
         measured = resolve;
       });
       resolution.render(scene, camera, isMoving);
-      // By the time that it is measured, the movement may be over.
+      // The movement may be over when it is measured.
       const drawn = state();
       await known;
       return drawn;

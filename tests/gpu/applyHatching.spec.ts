@@ -163,7 +163,7 @@ for (const technique of kindsOfTechnique) {
         const use = () => ({ ...renderer.info.memory, programs: renderer.info.programs!.length });
         const before = pixelsOf(scene, renderer);
         const memory = [use()];
-        // On so small a picture lines sized on the object would fade into their tone.
+        // Lines sized on the object would fade into their tone in such a small picture.
         const sized = technique === 'anchored' ? { sizedOnScreen: 0 } : {};
         const handle = await applyHatching(root, { material: { technique, ...sized } });
         const hatched = pixelsOf(scene, renderer);

@@ -46,7 +46,7 @@ test('a background is darker behind the lit side, lighter behind the dark one, a
   expect(fromLeft.middle).toBe(0);
   expect(fromRight.middle).toBe(0);
   expect(programs).toBe(2);
-  // Without a subject nothing is drawn.
+  // A background without a subject draws nothing.
   expect(calls).toEqual([2, 1]);
 });
 

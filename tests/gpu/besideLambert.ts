@@ -89,7 +89,7 @@ const surfaced =
     scene.add(sun(1.2), new THREE.AmbientLight(0xffffff, 0.9), await dress(ball(), parameters()));
   };
 
-/** In flat light: a ball of a material with these parameters. */
+/** A ball in flat light, of a material with these parameters. */
 const papered =
   (parameters: () => Parameters) =>
   async ({ scene, dress }: Stage): Promise<void> => {

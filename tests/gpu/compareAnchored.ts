@@ -256,7 +256,7 @@ export function compareAnchored(test: TestOnOnePage): void {
         const value = pixels[4 * pixel];
         if (value !== 0 && value !== 255) grey++;
         if (excess > 0) inked++;
-        // On the very edge of a stroke a rounding decides.
+        // Rounding decides on the very edge of a stroke.
         if (Math.abs(excess) > 0.01 && value < 128 !== excess > 0) wrong++;
       }
       // With few strokes in the picture, their share depends on their places.

@@ -220,7 +220,7 @@ for (const technique of techniques) {
         return [...pictures, pixelsOf(sceneOf(mesh, light), renderer)];
       }, technique);
       expect(covered(turned!)).toBeGreaterThan(1000);
-      // On a hard stripe a rounding shows.
+      // Rounding shows on a hard stripe.
       expect(differing(turned!, skinned!, 8)).toBeLessThan(0.01 * covered(turned!));
       expect(differing(turned!, literal!, 8)).toBeGreaterThan(0.1 * covered(turned!));
     },

@@ -4,7 +4,7 @@ import { at, centre, covered, differing, isGround } from './pixels.js';
 import { kindsOfTechnique } from './techniques.js';
 import { test } from './toolkitPage.js';
 
-/** The material in other people's scenes: what it must not break of three.js and what besideLambert.spec.ts does not compare. */
+/** The material in scenes of applications: features of three.js that besideLambert.spec.ts does not compare. */
 
 for (const technique of kindsOfTechnique) {
   test(
@@ -181,7 +181,7 @@ for (const depth of ['logarithmicDepthBuffer', 'reversedDepthBuffer'] as const) 
       const scene = sceneOf(hatched, plain(-0.7, -0.001), plain(0.2, 0.001), sun(Math.PI, [0, 0, 1]));
       return pixelsOf(scene, makeRenderer({ [depth]: true }));
     }, depth);
-    // On the left the plain square is slightly behind the hatched square, on the right slightly in front of it.
+    // The plain square is slightly behind the hatched square on the left, and slightly in front of it on the right.
     expect(at(pixels, 33, 48)).toEqual([255, 255, 255]);
     expect(at(pixels, 53, 48)).toEqual([255, 0, 0]);
   });

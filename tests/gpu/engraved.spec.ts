@@ -1,6 +1,6 @@
 import { expect, testOnOnePage as onOnePage } from '../browser/test.js';
 
-/** The technique `engraved`: how dark its lines are, how far apart, and what they are fixed to. */
+/** The technique `engraved`: the tone of its lines, their spacing, and what they are fixed to. */
 
 const test = onOnePage('tests/gpu/outlines.html');
 
@@ -44,7 +44,7 @@ test('the mean darkness is the tone, at every distance between octaves, with and
     return errors;
   });
   expect(errors).toHaveLength(192);
-  // In its darkest tones a pen crosses lines in three directions of one regular lattice, whose gaps meet less often than by chance.
+  // A pen crosses lines in its darkest tones in three directions of one regular lattice, whose gaps meet less often than by chance.
   for (const { error, medium, tone } of errors) {
     expect(error, `${medium} at ${tone}`).toBeLessThan(medium === 'pen' && tone > 0.9 ? 0.035 : 0.012);
   }
@@ -304,7 +304,7 @@ test('around a near lamp lines are cut by spheres: on a floor they are circles a
     const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
     camera.position.z = 2;
     const ink = draw(paperScene(floor, lamp, new THREE.AmbientLight(0xffffff, 0.7 * Math.PI)), camera, rendererOf(300));
-    // On every ring of pixels around the foot, how much the ink differs, against how much it differs anywhere.
+    // The variation of ink on each ring of pixels around the foot, relative to that of the whole floor.
     const rings = Array.from({ length: 90 }, () => [] as number[]);
     for (const [i, one] of ink.entries()) {
       const x = ((i % 300) + 0.5) / 150 - 1 - foot.x;

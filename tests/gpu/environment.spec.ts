@@ -50,7 +50,7 @@ test(
           return pixels;
         };
         for (const toneNormal of ['face', 'smooth'] as const) {
-          // Without a sun, by smooth normals, it is in `besideLambert`.
+          // `besideLambert` has the case without a sun, by smooth normals.
           if (light === 'alone' && toneNormal === 'smooth') continue;
           const flatShading = toneNormal === 'face';
           const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));

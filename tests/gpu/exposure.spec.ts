@@ -8,7 +8,7 @@ import { test } from './toolkitPage.js';
 
 /** The exposure that is fitted to a scene, as it is drawn. */
 
-/** The tones of a picture of tones, on what is not ground. */
+/** The tones of a picture of tones, without the background. */
 function tonesOf(pixels: number[]): number[] {
   const tones: number[] = [];
   for (let i = 0; i < 4 * SIZE * SIZE; i += 4) if (!isGround(pixels.slice(i, i + 3))) tones.push(1 - pixels[i] / 255);
@@ -76,7 +76,7 @@ test('the exposure stays as it is while the camera moves, and is what it was whe
   expect(dragged[3].drawn).toEqual(fitted);
 });
 
-/** A scene of all that the fit looks at, but for what only a browser has; its code runs in Node too. */
+/** A scene with everything that the fit reads, except for features of browsers; its code runs in Node too. */
 function sceneOfAll({ THREE }: { THREE: typeof three }): three.Scene {
   const material = (reflectedLight: number) =>
     Object.assign(new THREE.MeshStandardMaterial(), {

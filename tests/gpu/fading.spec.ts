@@ -56,7 +56,7 @@ test('a scene that is deep fades by itself, another one does not', async ({ page
       });
       const pixels = pixelsOf(sceneOf(root), renderer, new THREE.PerspectiveCamera(40, 1, 0.1, 100));
       hatched.dispose();
-      // Without a light the floor is black, before a green ground.
+      // The unlit floor is black, before a green background.
       return pixels.reduce((sum, value, i) => sum + (i % 4 === 1 ? 255 - value : 0), 0) / 255;
     };
     return {

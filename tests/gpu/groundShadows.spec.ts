@@ -76,7 +76,7 @@ test('a shadow that dissolves has the tone that is left of it with all media', a
       const light = casting(await lightOf('directional'), 0);
       light.shadow.bias = 0;
       const height = 0.4;
-      // At a fade of 1 so much of the tone is lost there: the light's camera sees a width of 4.
+      // The share of the tone that a fade of 1 takes there: the light's camera sees a width of 4.
       const share = height / light.position.clone().normalize().z / 4;
       const found: Record<string, number[]> = {};
       for (const [technique, medium] of media) {

@@ -36,7 +36,7 @@ test('while the light moves, a map by a hand pops no more than hatching', { tag:
         .map(({ worst, popping }) => `${worst.toFixed(4)} (${popping.toFixed(2)})`)
         .join(', '),
     });
-    // There is something to see: pixels change from frame to frame.
+    // The strokes are visible: pixels change from frame to frame.
     expect(Math.min(hatching.worst, drawn.worst), name).toBeGreaterThan(0.005);
     expect(drawn.worst, name).toBeLessThanOrEqual(1.05 * hatching.worst);
     expect(drawn.popping, name).toBeLessThanOrEqual(1.1 * hatching.popping);

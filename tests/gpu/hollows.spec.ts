@@ -147,7 +147,7 @@ for (const preset of Object.keys(presets) as PresetName[]) {
         const darkest = places.slice(0, Math.floor(places.length / 20));
         const share = darkest.filter(({ isIn }) => isIn).length / darkest.length;
         expect(share).toBeGreaterThan(0.9);
-        // Also beyond what shade alone prints, which is 0.86 in most presets.
+        // Darker than shade alone, which is 0.86 in most presets.
         expect(darkest.reduce((sum, { dark }) => sum + dark, 0) / darkest.length / 255).toBeGreaterThan(0.92);
       }
     },

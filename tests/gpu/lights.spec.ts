@@ -156,7 +156,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
             const tonalArtMap = await TonalArtMap.generate({ size: 128 });
             const renderer = makeRenderer();
             const tilesPerUnit = 0.6;
-            // At the same place of the world, and at another on the object, where other anchors are.
+            // The same place in the world, which is another on the object, with other anchors.
             const wallAt = async (depth: number, strokeLayers: 'single' | 'lights') => {
               const geometry = new THREE.PlaneGeometry(4, 4).translate(0, 0, depth);
               const wall = await hatchedMesh(geometry, { tonalArtMap, technique, crisp, strokeLayers, tilesPerUnit });
@@ -320,7 +320,7 @@ function expectAngles(pixels: number[], angles: number[]): void {
     }
   }
   const bin = (i: number) => histogram[(i + 72) % 36];
-  // On either side of an angle.
+  // Bins on either side of an angle.
   const around = (degrees: number) => bin(degrees / 5 - 1) + bin(degrees / 5);
   const weakest = Math.min(...angles.map(around));
   for (let degrees = 0; degrees < 180; degrees += 5) {

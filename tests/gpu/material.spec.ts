@@ -373,7 +373,7 @@ for (const one of crispCases) {
     let [inked, wrong] = [0, 0];
     for (const [pixel, over] of excess) {
       if (over > 0) inked++;
-      // On the very edge of a stroke a rounding decides.
+      // Rounding decides on the very edge of a stroke.
       if (Math.abs(over) > 0.01 && pixels[4 * pixel] < 128 !== over > 0) wrong++;
     }
     expect(inked / excess.size, 'share of ink').toBeGreaterThan(0.1);

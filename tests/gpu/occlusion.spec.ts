@@ -41,7 +41,7 @@ for (const technique of techniques) {
             off[name] = Math.max(off[name], Math.abs(at(pixels, x, y)[0] / 255 - share));
           };
           note('open', open, 1);
-          // Half of a sphere is open, and every place in it sees the opening alike.
+          // A hemisphere: every place in it sees the opening alike.
           note('baked', baked, 0.5);
           note('half', half, 0.75);
         }

@@ -71,7 +71,7 @@ test('before a surface a contour weighs half, before one far behind as before th
     const { THREE, outlinedMesh, paperScene, lookFrom, draw, rendererOf, HATCHING_OUTLINE_DEFAULTS } = window.lining;
     const { innerContours, creases } = HATCHING_OUTLINE_DEFAULTS;
     const size = 400;
-    // On its corner, so that its upright edges are a crease in the middle and contours on both sides.
+    // The box stands on its corner, so that its upright edges are a crease in the middle and contours on both sides.
     const mesh = await outlinedMesh(new THREE.BoxGeometry(0.8, 3, 0.8).rotateY(Math.PI / 4), {
       outlineWidth: 4,
       innerContours,

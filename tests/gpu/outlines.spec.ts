@@ -261,7 +261,7 @@ test('a contour tapers to nothing where it ends in a cusp', { tag: '@all' }, asy
         for (let i = -3; i <= 3; i++) sum += ink[(Math.round(y) + j) * size + Math.round(x) + i];
       return sum;
     };
-    // Some are hidden.
+    // Some contours are hidden.
     const cusp = cusps.reduce((best, one) => (darknessAt(one, 0) > darknessAt(best, 0) ? one : best));
     return { tapered: darknessAt(cusp, 0.8), blunt: darknessAt(cusp, 0), along: darknessAt(full, 0.8) };
   });

@@ -76,7 +76,7 @@ function lookFrom(x: number, y: number, z: number, fov = 40): THREE.PerspectiveC
 
 const renderers = new Map<string, THREE.WebGLRenderer>();
 
-/** A renderer of so many pixels a side. Kept: contexts are few. */
+/** The renderer of a size, pixels per side. Renderers are kept, since contexts are few. */
 function rendererOf(size: number, parameters: THREE.WebGLRendererParameters = {}): THREE.WebGLRenderer {
   const key = JSON.stringify([size, parameters]);
   let renderer = renderers.get(key);

@@ -130,7 +130,7 @@ test('groups of a mesh fade, vanish and are cut with what draws them', async ({ 
       const at = (x: number, y: number, z: number) =>
         inkNear(ink, 200, pixelOf(new THREE.Vector3(x, y, z), camera, 200), 2);
       return {
-        // Between the sides to the right, above and before.
+        // The edges between the right, the upper and the front side.
         upper: at(0, 0.5, 0.5),
         lower: at(0, -0.5, 0.5),
         right: at(0.5, -0.5, 0),
@@ -139,7 +139,7 @@ test('groups of a mesh fade, vanish and are cut with what draws them', async ({ 
     };
     return {
       whole: await look(() => {}),
-      // All but the side before, which is the fifth.
+      // All sides but the front, which is the fifth.
       open: await look((_, materials) => {
         materials[4].visible = false;
       }),

@@ -8,7 +8,7 @@ import { type PictureTraits, pictureTraits, traitDistances } from './pictureTrai
 
 /** The distance of two presets must be this many times that of a preset from itself after the light has moved by a few degrees. */
 const CLEARLY = 4;
-/** Or of so much, where that distance happens to be less. */
+/** The least limit, where that distance happens to be smaller. */
 const LEAST_MOVED = 0.001;
 
 /** A drawing of the sheet in docs/presets.md, 200 pixels wide, under each light. */

@@ -25,7 +25,7 @@ export const wall: PlainMesh = {
 };
 export const leaning = [...mat4.fromXRotation(mat4.create(), -1.64)];
 
-/** The mesh, so many units along each axis from the origin of its space, and the placement that brings it back. */
+/** The mesh, shifted along each axis from the origin of its space, with the placement that brings it back. */
 export const moved = (mesh: PlainMesh, by: number): PlainMesh => ({
   ...mesh,
   positions: mesh.positions.map((x) => x + by),

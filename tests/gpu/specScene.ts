@@ -142,7 +142,7 @@ function setForm(geometry: BufferGeometry, form: NonNullable<LineSettings['form'
   }
 }
 
-/** A material of either renderer, as far as it is set here. */
+/** The properties of a material of either renderer that are set here. */
 type MadeMaterial = Material &
   Pick<
     HatchingMaterialProperties,
@@ -193,7 +193,7 @@ export async function specScene(
       side: spec.doubleSided ? DoubleSide : FrontSide,
     }),
   );
-  // They are set separately: among the parameters, those that the technique does not use would cause a warning.
+  // These properties are set separately, since parameters that the technique does not use would cause a warning.
   hatching.strokeOffset.set(...strokeOffset);
   hatching.strokeRotation = strokeRotation;
   hatching.edgePixels = 0;

@@ -126,7 +126,7 @@ test(
       const { draw, dotsOf } = window.stage;
       return [0, 45, 60, 70].map((slant) => ({
         slant,
-        // At two places between octaves, on walls that lie in the object in five ways.
+        // Two scales between octaves, and walls in five orientations in the object.
         light: walls.flatMap((wall) =>
           [1.5, 1.95].map((zoom) => dotsOf(draw({ tone: 0.12, slant, wall, dot: 12, zoom }))),
         ),
@@ -319,7 +319,7 @@ test('tiles of a larger picture have the dots of the whole; dots follow a bone; 
       }
     }
     camera.clearViewOffset();
-    // By eight pixels to the right.
+    // A shift of eight pixels to the right.
     bone.position.x = 0.25;
     const moved = drawn(side, side);
     bone.position.x = 0;

@@ -19,14 +19,14 @@ import {
 import { scaledSizes } from 'three-hatching/facts';
 import { plainLook } from '../../tools/plainLook.js';
 
-/** A material whose strokes are plain unless a test says otherwise; `UsersMaterial` is the material as users make it. */
+/** A material with plain strokes by default; `UsersMaterial` is the material as users make it. */
 class PlainMaterial extends HatchingMaterial {
   constructor(parameters: HatchingMaterialParameters = {}) {
     super(plainLook(parameters));
   }
 }
 
-// Many of the scenes are odd on purpose. A test of what is said of mistakes breaks the silence.
+// Many scenes are odd on purpose, so warnings about looks are off; tests of these warnings switch them on.
 HatchingMaterial.silent = true;
 
 const SIZE = 96;

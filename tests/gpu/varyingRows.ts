@@ -50,7 +50,7 @@ export function varyingRows(vertexSource: string, fragmentSource: string): { row
   for (const [, type, name, length] of preprocessed(vertexSource).matchAll(
     /^\s*varying\s+(\w+)\s+(\w+)\s*(?:\[\s*(\d+)\s*\])?\s*;/gm,
   )) {
-    // Once it is declared; what is never read again is no varying.
+    // The name occurs once where it is declared; one that is never read again is not a varying.
     if ((fragment.match(new RegExp(`\\b${name}\\b`, 'g')) ?? []).length < 2) continue;
     const [columns, size] = MATRICES[type] ?? [1, COMPONENTS[type]];
     if (!size) throw new Error(`varyingRows: ${name} is a ${type}, which is not known here.`);

@@ -19,7 +19,7 @@ export interface Verdict {
 /** pixelmatch's threshold, and the part of the pixels that may lie above it. */
 const THRESHOLD = 0.1;
 const ALLOWED_PIXELS = 0.001;
-/** By how much the picture's whole ink may differ, as a part of the golden's. */
+/** The largest difference of the whole ink, as a share of the golden's. */
 const ALLOWED_INK = 0.0075;
 
 /**

@@ -34,7 +34,7 @@ export interface Scenario {
   tonalArtMap: Pick<NonNullable<Parameters<typeof TonalArtMap.generate>[0]>, 'style' | 'seed' | 'size' | 'tones'>;
   /** Draws the model as `applyHatching` does with this preset, in the place of map, material and outlines. */
   preset?: PresetName;
-  /** Most texels along a slanting pixel, where the card has that filter. */
+  /** The anisotropy of the map, if the card has that filter. */
   anisotropy?: number;
   material: Partial<
     Pick<

@@ -141,7 +141,7 @@ async function afterLoss(drawn: 'forceWebGL' | 'webgpu'): Promise<number> {
   const first = await makeDrawer(drawn);
   first.draw(stage);
   const before = await first.read();
-  // Otherwise three.js reports what is done here on purpose.
+  // three.js would report the deliberate loss of the device.
   Object.assign(first.renderer, { onDeviceLost() {} });
   const { backend } = first.renderer as unknown as {
     backend: { device?: { destroy(): void; lost: Promise<unknown> }; gl?: WebGL2RenderingContext };

@@ -17,7 +17,7 @@ import { upload } from './upload/upload.mjs';
 import { vector } from './vector/vector.mjs';
 
 /**
- * All benchmarks, in the order they run in. Each has a name, knows whether what it measures depends on who draws, runs in
+ * All benchmarks, in the order they run in. Each has a name, knows whether its measures depend on the rasterizer, runs in
  * a browser (`openBrowser`) to a result of plain data, and describes such a result in Markdown.
  */
 export const benchmarks = [

@@ -25,7 +25,7 @@ export async function describeEnvironment() {
     node: process.version,
     cpu: cpus()[0]?.model,
     cores: cpus().length,
-    // By which a reader knows how far times are to be relied on.
+    // The load of the machine, by which a reader judges the times.
     load: loadavg()[0],
   };
 }

@@ -58,7 +58,7 @@ try {
 }
 if (!values.quick) describeBenchmarks();
 
-/** More digits than five are noise, and would fill the files. */
+/** Rounds numbers to five digits; more are noise. */
 function rounded(_, value) {
   return typeof value === 'number' ? Number(value.toPrecision(5)) : value;
 }

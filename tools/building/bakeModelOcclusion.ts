@@ -18,7 +18,7 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
  */
 export async function bakeModelOcclusion(file: ModelFile): Promise<Uint8Array> {
   const read = await readModel([file], () => {});
-  if (read.kind !== 'mesh' || !read.mesh.indices) throw new Error(`${file.name} is no mesh with an index.`);
+  if (read.kind !== 'mesh' || !read.mesh.indices) throw new Error(`${file.name} is not a mesh with an index.`);
   const { positions, indices } = read.mesh as {
     positions: Float32Array<ArrayBuffer>;
     indices: Uint32Array<ArrayBuffer>;

@@ -17,7 +17,7 @@ interface Sums {
 }
 
 const KINDS = [...PAGE_KINDS, QUESTIONS];
-/** After this many cases another browser opens the page, so that cases do not add up; what adds up is for the soak to find. */
+/** Number of cases after which another browser opens the page, so that cases do not accumulate; the soak finds what does. */
 const CASES_PER_PAGE = 50;
 const BROWSERS = [undefined, ...Object.keys(LACKS)];
 /** Tasks of the main thread that take longer are reported at once. */
@@ -64,7 +64,7 @@ export async function fuzzBrowser(
     if (wrong.length > 0) say(failures.at(-1)!);
   };
   for (let i = 0; i < cases.length; i += CASES_PER_PAGE) {
-    // Otherwise clips would play for ever.
+    // Ends clips, which would play for ever.
     const page = await browser.newPage({ viewport: { width: 480, height: 360 }, reducedMotion: 'reduce' });
     const lack = BROWSERS[(i / CASES_PER_PAGE) % BROWSERS.length];
     if (lack) await page.addInitScript(LACKS[lack]);

@@ -60,7 +60,7 @@ export async function fuzzPage(
   await page.evaluate(() => {
     const sheet = new CSSStyleSheet();
     sheet.replaceSync('#viewport > :not(canvas) { visibility: hidden !important }');
-    // Its policy lets the page have no style of its own in the document.
+    // The page's policy forbids inline styles.
     document.adoptedStyleSheets.push(sheet);
   });
   const first = await picture(page);

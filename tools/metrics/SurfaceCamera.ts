@@ -95,7 +95,7 @@ export class SurfaceCamera {
     return image;
   }
 
-  /** Also records the point of the model that every pixel shows. */
+  /** Records also the point of the model at every pixel. */
   shootLocated(): LocatedImage {
     const image = this.shoot();
     const places = new Float32Array(4 * this.size * this.size);

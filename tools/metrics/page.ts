@@ -219,7 +219,7 @@ function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
   };
 }
 
-/** On a wall that a single frame covers, where strokes are those of the map. */
+/** Measures on a wall that a single frame covers, where strokes are those of the map. */
 async function measureDrawnLength(tonalArtMap: TonalArtMap): Promise<number> {
   const wall = await prepareHatchingGeometry(new PlaneGeometry(3, 3), { adjacency: true });
   const material = new HatchingMaterial({
@@ -236,7 +236,7 @@ async function measureDrawnLength(tonalArtMap: TonalArtMap): Promise<number> {
   return length;
 }
 
-/** In spacings rather than pixels: some of a model is nearer than the wall, and some leans away. */
+/** Lengths in spacings rather than pixels: parts of a model are nearer than the wall or lean away. */
 function lengthBySpacing(camera: SurfaceCamera): number {
   const light = camera.evenlyToned(LIGHT_TONE).shoot();
   return strokeLength(light) / strokeSpacing(light);

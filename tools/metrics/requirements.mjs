@@ -36,7 +36,7 @@ export const requirements = /** @type {Requirement[]} */ ([
     name: 'Flips under a 0.5° turn of the light, against those of `adjacency`',
     limits: { anchored: 1 / 3, 'engraved, x': 0, 'engraved, form': 0 },
     worst: (models, technique) =>
-      // On a sphere about its own origin the coordinates of Suarez et al. hardly depend on the light, nor on the place.
+      // The coordinates of Suarez et al. hardly depend on light and place on a sphere about its own origin.
       largest((m, name) => (name === 'sphere' ? undefined : flipsAt(m) / flipsAt(models[name].techniques.adjacency)))(
         models,
         technique,

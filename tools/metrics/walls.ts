@@ -21,13 +21,13 @@ import { meanInk } from './measures/meanInk.js';
 import { unevenness } from './measures/unevenness.js';
 
 const SIZE = 384;
-/** In pixels: a few strokes of the presets, whose lines lie about 4 pixels apart. */
+/** The blur, in pixels: a few strokes of the presets, whose lines lie about 4 pixels apart. */
 const BLUR = 14;
 const TONES = [0.2, 0.4, 0.6];
 const DISTANCES = 12;
 /** The farthest view is so many times as far as the nearest. */
 const RANGE = 8;
-/** Between the line of sight and the normal of the wall, in degrees. */
+/** Angles between the line of sight and the normal of the wall, degrees. */
 const ANGLES = [0, 15, 30, 45, 60, 70];
 const FIELDS = ['light', 'towards', 'x', 'y', 'z', 'slant', 'form', 'acrossForm'] as const;
 
@@ -63,7 +63,7 @@ function looks(): [string, HatchingMaterialParameters, Parameters<typeof TonalAr
  * @param wanted names of looks; all, if it is empty
  */
 export async function measureWalls(renderer: WebGLRenderer, wanted: readonly string[]): Promise<WallMeasure[]> {
-  // Its directions are baked, and none of its axes is that of the world.
+  // Directions of the wall are baked, and its axes differ from those of the world.
   const wall = await prepareHatchingGeometry(new PlaneGeometry(60, 60, 8, 8), { form: true });
   const view = new WallView(renderer);
   const found: WallMeasure[] = [];

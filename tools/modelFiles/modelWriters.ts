@@ -17,7 +17,7 @@ export async function read(...files: [name: string, content: Content][]): Promis
     files.map(([name, content]) => file(name, content)),
     () => {},
   );
-  if (model.kind !== 'mesh') throw new Error(`${model.name} is no mesh`);
+  if (model.kind !== 'mesh') throw new Error(`${model.name} is not a mesh`);
   return model;
 }
 

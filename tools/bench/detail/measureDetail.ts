@@ -30,7 +30,7 @@ export interface Flips {
 export interface DetailTimes {
   seconds: number;
   views: { size: number; drawn: number; times: Record<string, number[]> }[];
-  /** In all steps, and in those in which another level takes over. */
+  /** Flips in all steps, and in those in which the level changes. */
   flips: { all: Flips; replacing: Flips };
 }
 

@@ -14,7 +14,7 @@ const QUICK = { share: 0.05, turns: 2, size: 128, garbageFrames: 2 };
 const PLAIN = 'lambert';
 
 /**
- * Many small things: how long the script takes beyond three's, what it leaves for the garbage collector, and frames beside those of
+ * Many small objects: the time of the script beyond three's, its garbage, and frames compared with those of
  * Lambert's shading.
  */
 export const many = {

@@ -37,7 +37,7 @@ export class NodeStage {
     const renderer = new WebGPURenderer({ antialias: false, forceWebGL: backend === 'forceWebGL' });
     await renderer.init();
     const { isWebGPUBackend = false, gl } = renderer.backend as BackendOfThree;
-    if (isWebGPUBackend !== (backend === 'webgpu')) throw new Error(`NodeStage: three.js has not taken ${backend}.`);
+    if (isWebGPUBackend !== (backend === 'webgpu')) throw new Error(`NodeStage: three.js has not chosen ${backend}.`);
     return new NodeStage(renderer, gl ? GpuClock.of(gl) : null, size);
   }
 

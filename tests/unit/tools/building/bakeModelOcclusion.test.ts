@@ -42,7 +42,7 @@ test('the occlusion of a model begins with a byte for each of its vertices, in t
   expect(Math.abs(middleOf((3 * STEPS) / 4) - slope)).toBeLessThan(12);
 });
 
-test('what is no mesh is refused', async () => {
+test('a file that is not a mesh is refused', async () => {
   const content = new Blob(['{"asset": {"version": "2.0"}}']);
   await expect(bakeModelOcclusion({ name: 'scene.gltf', content })).rejects.toThrow('scene.gltf');
 });
