@@ -54,7 +54,8 @@ export {
   flatteringLight,
 } from './scene/lighting/flatteringLight.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
-export { type HatchingPreset, type PresetName, presets, scalePreset, withPreset } from './scene/presets.js';
+export { type HatchingPreset, type PresetName, presets, withPreset } from './scene/presets.js';
+export { scalePreset } from './scene/scalePreset.js';
 export { type EngravedHand, type EngravedHandOptions, engravedHand } from './strokes/hand/engravedHand.js';
 export type { Hand, HandNumbers, HandStroke, SwatchTone } from './strokes/hand/Hand.js';
 export { type LearnHandOptions, learnHand } from './strokes/hand/learnHand.js';

@@ -1,9 +1,7 @@
 import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
-import { scaledSizes } from '../look/measuredFacts.js';
 import { frozen, PRESET_MATERIALS, type PresetName } from '../look/presetMaterials.js';
 import { needsMap } from '../look/queries.js';
 import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
-import { scaledOutlineSizes } from '../material/outlines/outlineProperties.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
 
@@ -97,24 +95,4 @@ function presetOf(preset: PresetName | HatchingPreset): HatchingPreset {
   throw new RangeError(
     `applyHatching: there is no preset "${preset}". Use one of ${Object.keys(presets).join(', ')}, or pass a preset of your own.`,
   );
-}
-
-/**
- * Returns a copy of a preset with all widths and distances in CSS pixels multiplied by a factor. Sizes on the object stay the same. For
- * screens it is not needed: materials apply the renderer's pixel ratio themselves.
- *
- * @param factor dpi / 96 for a print that is drawn at a pixel ratio of 1, since a CSS pixel is 1/96 inch. The edges of strokes stay one
- * pixel soft.
- * @throws RangeError if the factor is not a positive number
- */
-export function scalePreset(preset: HatchingPreset, factor: number): HatchingPreset {
-  if (!(factor > 0 && factor < Infinity)) {
-    throw new RangeError(`scalePreset: the factor is ${factor}, but must be a positive number, such as 2.`);
-  }
-  const { material, outlines } = preset;
-  return {
-    ...preset,
-    material: { ...material, ...scaledSizes(material, factor) },
-    outlines: { ...outlines, ...scaledOutlineSizes(outlines, factor) },
-  };
 }

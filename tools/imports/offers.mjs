@@ -178,6 +178,7 @@ export const OFFERS = {
     'OcclusionBake.ts',
     'OutlineMaker.ts',
     'presets.ts',
+    'scalePreset.ts',
     'levelMaker.ts',
     'lighting/flatteringLight.ts',
   ],

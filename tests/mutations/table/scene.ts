@@ -48,7 +48,7 @@ export const scene: readonly Mutation[] = [
   },
   {
     name: 'outlines of a preset keep their width in print',
-    file: 'src/scene/presets.ts',
+    file: 'src/scene/scalePreset.ts',
     find: '{ ...outlines, ...scaledOutlineSizes(outlines, factor) }',
     replace: 'outlines',
     caughtBy: {

@@ -5,7 +5,8 @@ import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { type PresetName, presets, scalePreset } from '../../../src/scene/presets.js';
+import { type PresetName, presets } from '../../../src/scene/presets.js';
+import { scalePreset } from '../../../src/scene/scalePreset.js';
 
 const names = Object.keys(presets) as PresetName[];
 
