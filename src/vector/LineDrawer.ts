@@ -116,18 +116,14 @@ export class LineDrawer {
     const { pen, millimetre } = this;
     const { outlines } = this.scene;
     const seen: LeftPath[] = [];
-    for (const [i, outlined] of outlines.entries())
-      yield* asPhase(this.drawOutline(outlined, seen), i / outlines.length, (i + 1) / outlines.length);
+    for (const [i, outlined] of outlines.entries()) {
+      const middle = i + (outlined.look.hidden === 'none' ? 1 : 0.5);
+      yield* asPhase(this.drawSeen(outlined, seen), i / outlines.length, middle / outlines.length);
+      if (middle === i + 1) continue;
+      yield* asPhase(this.drawHidden(outlined), middle / outlines.length, (i + 1) / outlines.length);
+    }
     const kept = pen === null ? seen : dropShortLines(seen, { shortest: SHORTEST_ALONE * millimetre, near: pen });
     for (const one of kept) this.addPath(one);
-  }
-
-  private *drawOutline(outlined: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
-    if (outlined.look.hidden === 'none') yield* this.drawSeen(outlined, seen);
-    else {
-      yield* asPhase(this.drawSeen(outlined, seen), 0, 0.5);
-      yield* asPhase(this.drawHidden(outlined), 0.5, 1);
-    }
   }
 
   private *drawSeen({ mesh, look, clip, ink }: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
@@ -141,7 +137,7 @@ export class LineDrawer {
       this.segments += chain.count - 1;
       yield from;
       yield* asPhase(weighByHierarchy(chain, bvh, projection), from, (from + to) / 2);
-      const isSeen = clipped(uncut(outlineTest(chain, bvh, projection), cutTest(chain, bvh, projection)), clip);
+      const isSeen = this.uncut(outlineTest(chain, bvh, projection), chain, clip);
       for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
         if (least > 0) endHairlines(faded, least);
         const runs = yield* asPhase(visibleRuns(faded, projection, isLeft), (from + to) / 2, to);
@@ -169,15 +165,18 @@ export class LineDrawer {
       const isSeen = outlineTest(chain, bvh, projection, look.width / 2);
       const hidden = this.seenParts(
         chain,
-        clipped(
-          uncut((place) => !isSeen(place), cutTest(chain, bvh, projection)),
-          clip,
-        ),
+        this.uncut((place) => !isSeen(place), chain, clip),
       );
       yield from;
       for (const { path } of yield* asPhase(hidden, from, to))
         layer.paths.push(...(look.hidden === 'dashed' ? dashes(path, DASH * look.width, GAP * look.width) : [path]));
     }
+  }
+
+  /** A test that fails where the surface of an outline is cut out or clipped. */
+  private uncut(isSeen: SeenTest, chain: Chain, clip: Clip | null): SeenTest {
+    const isCut = cutTest(chain, this.bvh, this.projection);
+    return clipped(isCut ? (place) => isSeen(place) && !isCut(place) : isSeen, clip);
   }
 
   *drawSurfaces(): Generator<number, void, void> {
@@ -365,10 +364,6 @@ function* tracedFamilies(tracing: Tracing, tones: VertexTones): Generator<number
   }
   return lines;
 }
-
-/** A test that fails where the surface of an outline is cut out. */
-const uncut = (isSeen: SeenTest, isCut: SeenTest | null): SeenTest =>
-  isCut ? (place) => isSeen(place) && !isCut(place) : isSeen;
 
 /** A test that fails where clipping planes cut. */
 const clipped = (isSeen: SeenTest, clip: Clip | null): SeenTest =>

@@ -1,4 +1,4 @@
-import { dot, type Vec3 } from '../look/vectors.js';
+import { combined, dot, type Vec3 } from '../look/vectors.js';
 import type { DrawnScene } from './DrawnScene.js';
 import { type LineSurface, STRIDE, WORLD } from './LineSurface.js';
 import type { Matrix } from './Projection.js';
@@ -45,7 +45,7 @@ export function moveToOrigin(scene: DrawnScene): DrawnScene {
     })),
     illumination: {
       ...illumination,
-      lamps: illumination.lamps.map((lamp) => (lamp.isFar ? lamp : { ...lamp, at: sum(lamp.at, back) })),
+      lamps: illumination.lamps.map((lamp) => (lamp.isFar ? lamp : { ...lamp, at: combined(1, lamp.at, 1, back) })),
     },
   };
 }
@@ -63,8 +63,6 @@ function centreOf(corners: Float64Array): Vec3 | undefined {
   const size = Math.hypot(...low.map((value, axis) => high[axis] - value));
   return Math.hypot(...centre) > FAR * size && size > 0 ? centre : undefined;
 }
-
-const sum = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
 /** A matrix to world space, followed by the translation. */
 function placedBy(matrix: Matrix, way: Vec3): Matrix {
@@ -86,4 +84,4 @@ function movedClip(clip: Clip | null, centre: Vec3): Clip | null {
 }
 
 const movedFading = (fading: ObjectFading | null, way: Vec3): ObjectFading | null =>
-  fading?.focus ? { ...fading, focus: { ...fading.focus, at: sum(fading.focus.at, way) } } : fading;
+  fading?.focus ? { ...fading, focus: { ...fading.focus, at: combined(1, fading.focus.at, 1, way) } } : fading;

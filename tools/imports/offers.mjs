@@ -8,6 +8,7 @@ export const OFFERS = {
     'corners.ts',
     'phases.ts',
     'TriangleMesh.ts',
+    'weldPositions.ts',
     'adjacency/pairEdges.ts',
     'bake/attributeLayouts.ts',
     'bake/bakeCorners.ts',

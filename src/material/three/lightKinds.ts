@@ -42,7 +42,7 @@ const countOf = ({ key }: LightKind): string => `NUM_${key}_LIGHTS`;
 function knownKinds(): LightKind[] {
   const { lights_pars_begin: chunk } = ShaderChunk;
   const kinds = LIGHT_KINDS.filter(
-    (kind) => chunk.includes(countOf(kind)) && (kind.from === 'sky' || chunk.includes(`get${kind.name}LightInfo(`)),
+    (kind) => chunk.includes(countOf(kind)) && (kind.type === 'sky' || chunk.includes(`get${kind.name}LightInfo(`)),
   );
   // Versions before 0.187 have no sun.
   expectChunk('lights_pars_begin', kinds.length > 3 + Number(chunk.includes('SUN_LIGHTS')));

@@ -1,6 +1,7 @@
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 import type { Vec3 } from '../../look/vectors.js';
 import type { Matrix } from '../Projection.js';
+import type { LiftedPiece } from '../shading/outlines.js';
 import type { ObjectFading } from '../shading/fading.js';
 
 /** The mesh whose outlines are drawn. */
@@ -90,17 +91,10 @@ export interface PieceEnd {
   key: string;
 }
 
-export interface OutlinePiece {
+/** A piece of an outline. Lengths in object units. */
+export interface OutlinePiece extends Omit<LiftedPiece, 'bend'> {
   start: PieceEnd;
   end: PieceEnd;
-  /** Whether it lies on a surface, not on an edge. */
-  isSmooth: boolean;
   /** The share of the piece that is a contour or a border. */
   contour: number;
-  /** Depth of the surface beside the piece along the line of sight, object units. */
-  extent: number;
-  /** The part of that depth that may lie before a visible piece. */
-  ownCover: number;
-  /** Whether it is a concave edge. */
-  isValley: boolean;
 }

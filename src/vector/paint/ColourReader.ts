@@ -191,8 +191,6 @@ function pixelSteps(world: Vec3, normal: Vec3, projection: Projection): readonly
   return right && up && [right, up];
 }
 
-/** Normal and bump maps, as in three.js. Everything is in world space. */
-
 /** The vector that a pixel of a normal map encodes. */
 export const unpacked = ([r, g, b]: Rgba): Vec3 => [2 * r - 1, 2 * g - 1, 2 * b - 1];
 
@@ -204,7 +202,7 @@ export interface EdgeSlopes {
   alongSecond: readonly [number, number];
 }
 
-/** The normal of a tangent-space normal map. */
+/** The normal of a tangent-space normal map, as in three.js. World space. */
 export function bentAlongCoordinates(normal: Vec3, relief: Vec3, edges: EdgeSlopes): Vec3 {
   const [ofFirst, ofSecond] = [cross(edges.second, normal), cross(normal, edges.first)];
   const right = combined(edges.alongFirst[0], ofFirst, edges.alongSecond[0], ofSecond);

@@ -92,16 +92,15 @@ const turned = (path: LinePath, { isReversed }: OrderedPath): LinePath =>
 
 /** The path data of a path; empty if nothing of it is drawn. */
 function dataOf(path: LinePath, { pen }: DrawingPlan, { width, height }: Projection, placement: Placement): string {
-  if (pen !== null) return pathData(placesOf(path), path.isClosed, placement);
+  if (pen !== null)
+    return pathData(
+      path.points.filter((_, i) => i % PATH_STRIDE < 2),
+      path.isClosed,
+      placement,
+    );
   return strokeOutline(path)
     .map((ring) => pathData(clipRing(ring, width, height), true, placement))
     .join('');
-}
-
-function placesOf({ points }: LinePath): number[] {
-  const places: number[] = [];
-  for (let o = 0; o < points.length; o += PATH_STRIDE) places.push(points[o], points[o + 1]);
-  return places;
 }
 
 /** Coordinates are written in hundredths of a millimetre. */

@@ -1,7 +1,9 @@
+/**
+ * The function whose level sets are lines, and one light for a whole object, so that lines run on, as in fieldAxis.glsl and lightField.glsl
+ * of shaders/techniques/engraved.
+ */
 import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
-
-/** The function whose level sets are lines, as in shaders/techniques/engraved/fieldAxis.glsl. */
 
 /** The distance along an axis, or from a lamp. */
 export interface Field {
@@ -46,8 +48,6 @@ export function fieldAt({ axis, bend }: Field, point: Vec3): { value: number; gr
   const sum = combined(1, axis, 1, toLamp);
   return { value: dot(point, sum) / (1 + far), gradient: combined(1 / far, toLamp, 0, toLamp) };
 }
-
-/** One light for a whole object, so that lines run on, as in shaders/techniques/engraved/lightField.glsl. */
 
 /** A light with a direction, relative to the origin of the field. */
 export interface FieldLamp {

@@ -1,9 +1,11 @@
+/**
+ * The functions of families of lines at a place: cut by a field, as in readCut.glsl, or along the form, level sets of two baked functions,
+ * as in readForm.glsl.
+ */
 import { FIELD_CONSTANTS, FORM_CONSTANTS } from '../../look/constants/engravedConstants.js';
 import { combined, cross, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
 import { across, type Field, fieldAt } from './fieldAxis.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';
-
-/** The families of lines cut by a field, at a place, as in readCut.glsl. */
 
 const { BARE_SLOPE, SIDE_FADE } = FIELD_CONSTANTS;
 
@@ -66,8 +68,6 @@ export const familyValue = (
 /** Its gradient, of any length. */
 export const familyGradient = (families: CutFamilies, { gradient }: CutReading, { cosine, sine, side }: Lean): Vec3 =>
   side === null ? gradient : combined(cosine, gradient, sine, sideOf(families, side));
-
-/** Lines that follow the form, at a place, as in readForm.glsl: level sets of two baked functions. */
 
 const { WIDTH_WAVE } = FORM_CONSTANTS;
 export const { COARSEST_OCTAVES } = FORM_CONSTANTS;

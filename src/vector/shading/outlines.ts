@@ -1,7 +1,6 @@
+/** Contours, feature edges, suggestive contours and the hierarchy of outlines, as in shaders/outlines. */
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
 import { clamp01, combined, cross, dot, lengthOf, mix, normalize, smoothstep, type Vec3 } from '../../look/vectors.js';
-
-/** Contours and feature edges, as in shaders/outlines. */
 
 const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, LIFT_SHARE, MOST_RISE, EDGE_SLOPE } =
   OUTLINE_CONSTANTS;
@@ -63,6 +62,7 @@ export function shadeWeight(
 
 /** The properties of a piece of outline that its visibility depends on. Lengths in world units. */
 export interface LiftedPiece {
+  /** Whether it lies on a surface, not on an edge. */
   isSmooth: boolean;
   /** Curvature along the line of sight times the bounding radius. */
   bend: number;
@@ -118,13 +118,12 @@ export function depthAcross(corners: readonly [Vec3, Vec3, Vec3], start: Vec3, e
   return lengthOf(sideways) === 0 ? 0 : Math.max(...depths) - Math.min(...depths);
 }
 
-/** The line weight of an outline, as in shaders/outlines/hierarchy.glsl: the share of paper in what lies behind it, and of an accent. */
-
 const { ACCENT_REACH, LEAST_JUMP, FULL_JUMP } = OUTLINE_CONSTANTS;
 
 /** Distance between steps, in the unit of the width. */
 export const strideOf = (outlineWidth: number): number => (ACCENT_REACH * outlineWidth) / ACCENT_STEPS;
 
+/** The line weight of an outline. */
 export interface LineWeight {
   /** The share of paper in what lies behind. */
   paper: number;
@@ -158,11 +157,9 @@ export function lineWeightAt(here: number, gapAt: (step: number) => number | und
   return { paper: paper / sum, accent };
 }
 
-/** Suggestive contours, where a contour would appear if the eye moved a little, as in shaders/outlines/suggestiveContour.glsl. */
-
 const { LEAST_GROWTH, FULL_GROWTH, LEAST_LEAN, FULL_LEAN } = OUTLINE_CONSTANTS;
 
-/** A corner of a triangle. */
+/** A corner of a triangle with a suggestive contour, where a contour would appear if the eye moved a little. */
 export interface BentCorner {
   position: Vec3;
   /** Unit. */

@@ -1,8 +1,7 @@
+/** The light of lamps that arrives at a surface, as in radiance.glsl and three.js' chunks. World space. */
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import type { Sky } from '../../look/surroundings.js';
 import { clamp01, combined, cross, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
-
-/** The light of lamps that arrives at a surface, as in radiance.glsl and three.js' chunks. World space. */
 
 /** A light with a direction. */
 export interface Lamp {
