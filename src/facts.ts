@@ -5,7 +5,6 @@
  * @module three-hatching/facts
  */
 
-export { defaultOf } from './look/defaultOf.js';
 export { GLASS } from './look/glass.js';
 export type {
   HatchingChoice,
@@ -26,6 +25,7 @@ export type {
 export { HATCHING_FACTS } from './look/hatchingFacts.js';
 export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './look/hatchingProperties.js';
 export { counts, measureOf, pixelPower, scaledSizes } from './look/measuredFacts.js';
+export { defaultOf } from './look/presetParameters.js';
 export {
   followsForm,
   formOf,

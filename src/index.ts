@@ -36,8 +36,7 @@ export type { OutlineNumberName } from './material/outlines/outlineProperties.js
 export type { PropertyFields } from './material/PropertyFields.js';
 export type { ThresholdMoments } from './material/tam/measureThresholdMoments.js';
 export type { ThresholdTexture } from './material/tam/ThresholdTexture.js';
-export type { TonalArtMapOptions } from './material/tam/TonalArtMap.js';
-export { TonalArtMap } from './material/tam/TonalArtMap.js';
+export { TonalArtMap, type TonalArtMapOptions } from './material/tam/TonalArtMap.js';
 export type { TonalArtMapTexture } from './material/tam/TonalArtMapTexture.js';
 export type { Vector2Like, Vector3Like } from './material/vectorValues.js';
 export type { EdgeCounts } from './mesh/adjacency/pairEdges.js';
@@ -56,8 +55,15 @@ export {
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets, withPreset } from './scene/presets.js';
 export { scalePreset } from './scene/scalePreset.js';
-export { type EngravedHand, type EngravedHandOptions, engravedHand } from './strokes/hand/engravedHand.js';
-export type { Hand, HandNumbers, HandStroke, SwatchTone } from './strokes/hand/Hand.js';
+export {
+  type EngravedHand,
+  type EngravedHandOptions,
+  engravedHand,
+  type Hand,
+  type HandNumbers,
+  type HandStroke,
+  type SwatchTone,
+} from './strokes/hand/Hand.js';
 export { type LearnHandOptions, learnHand } from './strokes/hand/learnHand.js';
 export type { TonalArtMapSource } from './strokes/mapFiles/readSource.js';
 export type { StrokeStyleName } from './strokes/strokeStyleNames.js';
@@ -66,7 +72,11 @@ export type { TraceOptions } from './strokes/strokeTracing/traceStrokesSteps.js'
 export type { HatchImageReport } from './strokes/tamImages/checkHatchImages.js';
 export type { HatchImages } from './strokes/tamImages/HatchImages.js';
 export type { MapDrawing } from './strokes/tamImages/hatchImageOptions.js';
-export { type LearnHandAsyncOptions, learnHandAsync } from './worker/learnHandAsync.js';
+export {
+  type LearnHandAsyncOptions,
+  learnHandAsync,
+  type TraceStrokesOptions,
+  traceStrokes,
+} from './worker/handsAsync.js';
 export { disposeHatchingWorkers } from './worker/runTask.js';
 export type { TaskOptions } from './worker/TaskOptions.js';
-export { type TraceStrokesOptions, traceStrokes } from './worker/traceStrokes.js';

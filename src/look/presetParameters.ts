@@ -1,5 +1,10 @@
-import { defaultOf } from './defaultOf.js';
-import type { HatchingPropertyName } from './hatchingProperties.js';
+import type { HatchingProperty } from './HatchingProperty.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from './hatchingProperties.js';
 import { PRESET_MATERIALS, type PresetName } from './presetMaterials.js';
 
 /** Values of properties, by name. */
@@ -42,3 +47,31 @@ function presetParameters(preset: PresetName): Values {
   resolved.set(preset, parameters);
   return parameters;
 }
+
+/** The members of three.js colours and vectors that are used here. */
+interface ThreeValue {
+  isColor?: boolean;
+  isVector2?: boolean;
+  isVector3?: boolean;
+  getHex(): number;
+  toArray(): number[];
+}
+
+/** A value in the form of its default: colours as numbers, vectors as arrays. */
+export function plainValue(value: unknown): unknown {
+  const known = value as ThreeValue | null | undefined;
+  if (known?.isColor) return known.getHex();
+  if (known?.isVector2 || known?.isVector3) return known.toArray();
+  return value;
+}
+
+/** The default of a property under a technique. Colours are numbers, vectors arrays. */
+export function defaultOf(name: HatchingPropertyName, technique: HatchingTechnique): unknown {
+  const property: HatchingProperty = HATCHING_PROPERTIES[name];
+  const ofTechnique = 'defaultFor' in property ? property.defaultFor?.[technique] : undefined;
+  return ofTechnique ?? HATCHING_DEFAULTS[name];
+}
+
+/** Whether a value, plain or not, is the default of a property. */
+export const isDefault = (name: HatchingPropertyName, value: unknown, technique: HatchingTechnique): boolean =>
+  JSON.stringify(plainValue(value)) === JSON.stringify(defaultOf(name, technique));

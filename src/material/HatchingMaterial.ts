@@ -15,11 +15,10 @@ import {
   type WebGLProgramParametersWithUniforms,
   type WebGLRenderer,
 } from 'three';
-import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { PresetName } from '../look/presetMaterials.js';
-import { spelledOut } from '../look/presetParameters.js';
+import { defaultOf, spelledOut } from '../look/presetParameters.js';
 import { followsForm, needsMap, usesThresholds } from '../look/queries.js';
 import { checkChoice, checkValues, warnOfUnused } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';

@@ -1,5 +1,4 @@
 import { Color, type Texture } from 'three';
-import { isDefault } from '../look/defaultOf.js';
 import type { HatchingNumber, HatchingProperty } from '../look/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
@@ -7,6 +6,7 @@ import {
   type HatchingPropertyName,
   type HatchingTechnique,
 } from '../look/hatchingProperties.js';
+import { isDefault } from '../look/presetParameters.js';
 import { isUsedBy } from '../look/queries.js';
 import { checkNumber } from './checkNumber.js';
 import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';

@@ -1,6 +1,6 @@
 import { Material, Plane, type Texture, Vector2, Vector3 } from 'three';
-import { isDefault, plainValue } from '../look/defaultOf.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { isDefault, plainValue } from '../look/presetParameters.js';
 import { isTonalArtMap } from './checkTonalArtMap.js';
 import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';

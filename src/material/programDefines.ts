@@ -1,8 +1,7 @@
 import type { Texture } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import { needsAdjacency } from '../look/queries.js';
-import { drawnValue } from '../look/resolveLook.js';
+import { drawnValue, needsAdjacency } from '../look/queries.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import {

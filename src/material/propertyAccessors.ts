@@ -1,5 +1,4 @@
 import { Color, Vector2, type Vector3 } from 'three';
-import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
@@ -7,6 +6,7 @@ import {
   type HatchingPropertyName,
   type HatchingTechnique,
 } from '../look/hatchingProperties.js';
+import { defaultOf } from '../look/presetParameters.js';
 import { checkNumber } from './checkNumber.js';
 import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import { checkPoint, isWord } from './checkValues.js';

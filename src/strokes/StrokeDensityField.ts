@@ -1,5 +1,4 @@
-import { type Stroke, strokeOffset } from './Stroke.js';
-import { profileAt } from './StrokeProfile.js';
+import { profileAt, type Stroke, strokeOffset } from './Stroke.js';
 
 /** Strokes closer than this many widths, centre line to centre line, begin to look merged. */
 export const MERGING_WIDTHS = 2.5;

@@ -1,5 +1,5 @@
+import type { StrokeProfile } from './Stroke.js';
 import type { PlacingHabit } from './StrokeDensityField.js';
-import type { StrokeProfile } from './StrokeProfile.js';
 
 /** The parameters of a style of strokes. Lengths are in tiles, widths in texels of every level, as in `Stroke`. */
 export interface StrokeStyle {

@@ -1,11 +1,11 @@
 import type { HandNumbers } from './hand/Hand.js';
 import { type PreparedHand, prepareHand } from './prepareHand.js';
+import { makeProfile } from './Stroke.js';
 import type { PlacingHabit } from './StrokeDensityField.js';
-import { makeProfile } from './StrokeProfile.js';
 import type { StrokeLayer, StrokeStyle } from './StrokeStyle.js';
-import { STROKE_WIDTHS } from './strokeWidths.js';
+import { STROKE_WIDTHS } from './strokeStyleNames.js';
+import type { MapRequest } from './tamImages/generateHatchImages.js';
 import { type MapDrawing, resolveMapDrawing } from './tamImages/hatchImageOptions.js';
-import type { MapRequest } from './tamImages/hatchImageRequest.js';
 
 /** The longest stroke of a map, in tiles: a longer one would run beside itself too often. */
 const LONGEST = 1.5;

@@ -1,11 +1,10 @@
 import { checkHand } from './hand/checkHand.js';
 import type { Hand, HandNumbers } from './hand/Hand.js';
 import { arcAt, measureStroke, type StrokeMeasure } from './hand/measureStroke.js';
-import { distance, polylineOf, resample } from './hand/Polyline.js';
+import { distance, polylineOf, resample, splitAtTurns } from './hand/Polyline.js';
 import { separateLayers } from './hand/separateLayers.js';
-import { splitAtTurns } from './hand/splitAtTurns.js';
 import { type Random, random } from './random.js';
-import { PROFILE_SAMPLES } from './StrokeProfile.js';
+import { PROFILE_SAMPLES } from './Stroke.js';
 
 /** With fewer strokes, several variants of each are drawn where the numbers ask for more spread than the strokes have. */
 const LEAST_SHAPES = 40;

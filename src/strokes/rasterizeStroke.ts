@@ -1,6 +1,5 @@
 import type { PaperGrain } from './paperGrain.js';
-import { profileSlope, type Stroke, strokeOffset } from './Stroke.js';
-import { profileWidth } from './StrokeProfile.js';
+import { profileSlope, profileWidth, type Stroke, strokeOffset } from './Stroke.js';
 
 /** The width of the tip of a tapered stroke, in texels. A thinner tip would break into grey dots. */
 const TIP_WIDTH = 1;

@@ -1,6 +1,5 @@
 import type { StrokeLayer, StrokeStyle } from './StrokeStyle.js';
-import type { StrokeStyleName } from './strokeStyleNames.js';
-import { STROKE_WIDTHS } from './strokeWidths.js';
+import { STROKE_WIDTHS, type StrokeStyleName } from './strokeStyleNames.js';
 
 const along: StrokeLayer = { across: false, slope: 0, from: 0, thresholdsFrom: 0 };
 

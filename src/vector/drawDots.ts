@@ -1,4 +1,4 @@
-import { STIPPLE_CONSTANTS } from '../look/constants/stippleConstants.js';
+import { STIPPLE_CONSTANTS } from '../look/constants/patternConstants.js';
 import { combined, dot, normalize, timesVector, type Vec3 } from '../look/vectors.js';
 import { asPhase } from '../mesh/phases.js';
 import type { Bvh } from './Bvh.js';
@@ -9,21 +9,7 @@ import { isClipped } from './paint/PaintLook.js';
 import { PlaceReader } from './paint/PlaceReader.js';
 import type { Translucency } from './paint/Translucency.js';
 import { type ScreenMap, screenGradient, screenMap } from './shading/screenGradient.js';
-import {
-  coverOf,
-  type DotPlane,
-  type DotSize,
-  directionOfNeedles,
-  dotArea,
-  dotOctave,
-  grownBy,
-  inLayer,
-  layerTones,
-  ownCover,
-  planesNear,
-  roundScreenMap,
-  setShift,
-} from './shading/stipple.js';
+import { coverOf, type DotPlane, type DotSize, directionOfNeedles, dotArea, dotOctave, grownBy, inLayer, layerTones, ownCover, planesNear, roundScreenMap, setShift } from './shading/stipple.js';
 import { subdivide } from './subdivide.js';
 import { ToneReader } from './ToneReader.js';
 import { seenSides } from './traceFamily.js';

@@ -20,13 +20,11 @@ import {
   NodeMaterial,
   type WebGPURenderer,
 } from 'three/webgpu';
-import { defaultOf } from '../look/defaultOf.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { PresetName } from '../look/presetMaterials.js';
-import { spelledOut } from '../look/presetParameters.js';
-import { formOf, needsMap, usesThresholds } from '../look/queries.js';
-import { resolveLook } from '../look/resolveLook.js';
+import { defaultOf, spelledOut } from '../look/presetParameters.js';
+import { formOf, needsMap, resolveLook, usesThresholds } from '../look/queries.js';
 import type { HatchingMap } from '../material/checkTonalArtMap.js';
 import { checkChoice, checkValues } from '../material/checkValues.js';
 import { FrameStamp } from '../material/FrameStamp.js';

@@ -1,6 +1,6 @@
 import type { BufferGeometry } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { type ResolvedLook, resolveLook } from '../look/resolveLook.js';
+import { type ResolvedLook, resolveLook } from '../look/queries.js';
 import { isFormed } from '../material/geometry/formGeometry.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { hasRoomForForm } from './deviceLimits.js';

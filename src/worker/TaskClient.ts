@@ -1,6 +1,5 @@
 import { runSliced, type SlicedOptions } from '../mesh/phases.js';
-import { awaitEnd } from './lifeLock.js';
-import { type FromWorker, type ToWorker, unpackError } from './protocol.js';
+import { awaitEnd, type FromWorker, type ToWorker, unpackError } from './protocol.js';
 import { SILENCE_SECONDS, SilenceWatch } from './SilenceWatch.js';
 import type { AnyTask, NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
 

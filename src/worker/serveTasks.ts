@@ -1,6 +1,5 @@
 import { runSliced } from '../mesh/phases.js';
-import { holdLifeLock } from './lifeLock.js';
-import { buffersIn, type FromWorker, packError, type ToWorker } from './protocol.js';
+import { buffersIn, type FromWorker, holdLifeLock, packError, type ToWorker } from './protocol.js';
 import type { AnyTask, Tasks } from './TaskSet.js';
 
 /** Milliseconds between two progress messages. A message after every slice took a twentieth of the time. */

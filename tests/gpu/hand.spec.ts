@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { learnHand } from '../../src/strokes/hand/learnHand.js';
-import { drawSwatches } from '../../src/strokes/hands/drawSwatch.js';
+import { drawSwatches } from '../../src/strokes/hands/exampleHand.js';
 import { exampleHabits } from '../../src/strokes/hands/exampleHabits.js';
 import { FlipCount } from '../../tools/metrics/measures/normalisedFlips.js';
 import { poppingIndex } from '../../tools/metrics/measures/reprojectedChange.js';

@@ -15,7 +15,7 @@ import {
 } from 'three';
 import { TonalArtMap } from 'three-hatching';
 import thresholdMapChunk from '../../shaders/chunks/thresholdMap.glsl?raw';
-import { normalQuantile } from '../../src/strokes/tamImages/encodeThresholds.js';
+import { normalQuantile } from '../../src/strokes/tamImages/thresholds.js';
 
 const renderer = new WebGLRenderer({ antialias: false });
 const camera = new Camera();

@@ -24,6 +24,5 @@ export { absorbSmallPatches, findPatches } from '../../src/mesh/normals/findPatc
 export { smoothFanNormals } from '../../src/mesh/normals/smoothFanNormals.js';
 export { type TriangleMesh, validateTriangleMesh } from '../../src/mesh/TriangleMesh.js';
 export { weldPositions } from '../../src/mesh/weldPositions.js';
-export { generateHatchImages } from '../../src/strokes/tamImages/generateHatchImages.js';
+export { generateHatchImages, type MapRequest } from '../../src/strokes/tamImages/generateHatchImages.js';
 export { generateThresholds } from '../../src/strokes/tamImages/generateThresholds.js';
-export type { MapRequest } from '../../src/strokes/tamImages/hatchImageRequest.js';

@@ -9,8 +9,8 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
-import { luminanceOf } from '../../look/luminance.js';
 import { radianceAround, type Surroundings } from '../../look/surroundings.js';
+import { luminanceOf } from '../../look/vectors.js';
 import { harmonicsOf } from './environmentHarmonics.js';
 import type { SceneContents } from './SceneContents.js';
 

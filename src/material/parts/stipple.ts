@@ -1,5 +1,4 @@
-import { SCREEN_CONSTANTS } from '../../look/constants/patternConstants.js';
-import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
+import { SCREEN_CONSTANTS, STIPPLE_CONSTANTS } from '../../look/constants/patternConstants.js';
 import { definesOf } from '../shaders/definesOf.js';
 import { STIPPLE_MAP_SIZE } from '../tam/patternSizes.js';
 import { stippleMap } from '../tam/stippleMap.js';

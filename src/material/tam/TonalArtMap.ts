@@ -5,11 +5,10 @@ import {
   checkHatchImages,
   type HatchImageReport,
 } from '../../strokes/tamImages/checkHatchImages.js';
-import { deriveThresholds } from '../../strokes/tamImages/deriveThresholds.js';
-import { encodeThresholds, type ThresholdLevel } from '../../strokes/tamImages/encodeThresholds.js';
+import type { MapRequest } from '../../strokes/tamImages/generateHatchImages.js';
 import { DEFAULT_STROKE_TEXELS, type HatchImages } from '../../strokes/tamImages/HatchImages.js';
 import { type MapDrawing, resolveMapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
-import type { MapRequest } from '../../strokes/tamImages/hatchImageRequest.js';
+import { deriveThresholds, encodeThresholds, type ThresholdLevel } from '../../strokes/tamImages/thresholds.js';
 import { runTask } from '../../worker/runTask.js';
 import { checkNames, checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import { HATCH_IMAGE_OPTIONS } from './checkHatchImageOptions.js';

@@ -1,4 +1,4 @@
-import { LIMIT } from '../../strokes/tamImages/encodeThresholds.js';
+import { LIMIT } from '../../strokes/tamImages/thresholds.js';
 import type { ThresholdPair } from './pairThresholdLevels.js';
 
 /** The contrast of a threshold map after interpolation, averaged over its levels. */

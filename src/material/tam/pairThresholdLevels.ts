@@ -1,4 +1,4 @@
-import type { ThresholdLevel } from '../../strokes/tamImages/encodeThresholds.js';
+import type { ThresholdLevel } from '../../strokes/tamImages/thresholds.js';
 
 /** A level of thresholds and the next coarser level at the same resolution, both encoded as in {@link ThresholdLevel}. */
 export interface ThresholdPair {

@@ -1,7 +1,7 @@
 import { runSliced } from '../../mesh/phases.js';
 import { requestOfHand } from '../../strokes/handStyle.js';
+import type { MapRequest } from '../../strokes/tamImages/generateHatchImages.js';
 import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';
-import type { MapRequest } from '../../strokes/tamImages/hatchImageRequest.js';
 
 /** Prepares the request for a map of a hand, in slices. */
 export const prepareInSlices = (drawing: MapDrawing, signal: AbortSignal | undefined): Promise<MapRequest> =>

@@ -2,7 +2,7 @@ import { asPhase, chunkPhase, forEachChunk } from '../phases.js';
 import { MAP_SIZE, NO_SAMPLE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
 
 /** The result of `addDirections`. */
-interface OcclusionResult {
+export interface OcclusionResult {
   scene: OcclusionScene;
   /** For each mesh with normals, the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it). */
   occlusions: Int16Array<ArrayBuffer>[];
@@ -12,7 +12,7 @@ interface OcclusionResult {
 const ONE = 0x7fff;
 
 /** The input of `addDirections`. */
-interface DirectionRequest {
+export interface DirectionRequest {
   scene: OcclusionScene;
   /** The numbers of the pairs of opposite directions to add. */
   pairs: readonly number[];

@@ -1,5 +1,4 @@
-import type { Hand, HandStroke, SwatchTone } from './Hand.js';
-import { checkHandNumbers, checkIsObject } from './handNumbers.js';
+import { checkHandNumbers, checkIsObject, type Hand, type HandStroke, type SwatchTone } from './Hand.js';
 
 /**
  * Checks that a value, such as one read from JSON, is a hand.

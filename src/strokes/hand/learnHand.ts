@@ -1,11 +1,16 @@
 import { checkStrokes } from './checkHand.js';
-import type { Hand, HandNumbers, HandStroke, SwatchTone } from './Hand.js';
-import { HAND_NUMBER_NAMES, HAND_NUMBER_RANGES } from './handNumbers.js';
+import {
+  HAND_NUMBER_NAMES,
+  HAND_NUMBER_RANGES,
+  type Hand,
+  type HandNumbers,
+  type HandStroke,
+  type SwatchTone,
+} from './Hand.js';
 import { measureSpacing, type SwatchSpacing } from './measureSpacing.js';
 import { measureStroke, type StrokeMeasure } from './measureStroke.js';
-import { type Polyline, polylineOf, resample } from './Polyline.js';
+import { type Polyline, polylineOf, resample, splitAtTurns } from './Polyline.js';
 import { betweenDegrees, type HandLayer, separateLayers } from './separateLayers.js';
-import { splitAtTurns } from './splitAtTurns.js';
 
 /** Options of `learnHand`. */
 export interface LearnHandOptions {

@@ -1,5 +1,4 @@
 import type { SwatchTone } from './Hand.js';
-import { measureTapers, type Tapers } from './measureTapers.js';
 import { distance, type Polyline, resample } from './Polyline.js';
 
 /** The number of points at which a stroke is sampled. */
@@ -107,4 +106,120 @@ function fullWidths(width: Float64Array, { start, end, full }: Tapers): [number,
     squares += width[i] ** 2;
   }
   return count > 0 ? [count, sum, squares] : [1, full, full * full];
+}
+
+/** Lengths are tried in steps of 1/STEPS of the stroke. */
+const STEPS = 64;
+/** The first search uses every COARSE-th step. */
+const COARSE = 4;
+
+/** An end counts as tapered if its tip is thinner than the stroke by more than this share of the full width. */
+const LEAST_DROP = 0.15;
+
+/** The tapers of one stroke. */
+interface Tapers {
+  /** The length over which it grows from its start, as a share of its length. */
+  start: number;
+  /** The length over which it narrows towards its end. */
+  end: number;
+  /** Its full width. */
+  full: number;
+}
+
+/**
+ * Fits a width that grows linearly, stays, and shrinks linearly, by least squares over the lengths of the two ends.
+ *
+ * @param width the widths at even steps from start to end
+ */
+function measureTapers(width: Float64Array): Tapers {
+  const fit = bestFit(width);
+  const { full } = fit;
+  return {
+    start: fit.startDrop > LEAST_DROP * full ? fit.start / STEPS : 0,
+    end: fit.endDrop > LEAST_DROP * full ? fit.end / STEPS : 0,
+    full,
+  };
+}
+
+interface Fit {
+  /** Lengths of the ends, in steps. */
+  start: number;
+  end: number;
+  full: number;
+  /** How much thinner the tips are. */
+  startDrop: number;
+  endDrop: number;
+  /** The sum of squares that the fit explains. */
+  explained: number;
+}
+
+function bestFit(width: Float64Array): Fit {
+  const products = { start: new Map<number, number>(), end: new Map<number, number>() };
+  const sum = width.reduce((total, value) => total + value, 0);
+  let best = fitTo(width, sum, 0, 0, products);
+  const tryAll = (starts: readonly number[], ends: readonly number[]): void => {
+    for (const start of starts) {
+      for (const end of ends) {
+        if (start < 0 || end < 0 || start + end > STEPS) continue;
+        const fit = fitTo(width, sum, start, end, products);
+        if (fit.explained > best.explained) best = fit;
+      }
+    }
+  };
+  const coarse = Array.from({ length: STEPS / COARSE + 1 }, (_, i) => COARSE * i);
+  tryAll(coarse, coarse);
+  const near = (step: number): number[] => Array.from({ length: 2 * COARSE - 1 }, (_, i) => step + i - COARSE + 1);
+  tryAll(near(best.start), near(best.end));
+  return best;
+}
+
+/** How far a place is within a tapered end of `steps` steps: 1 at the tip, 0 from its full width on. */
+const inside = (place: number, steps: number): number => (steps > 0 ? Math.max(0, 1 - (place * STEPS) / steps) : 0);
+
+/** The least squares of width = full − startDrop·inside(x) − endDrop·inside(1 − x). */
+function fitTo(
+  width: Float64Array,
+  sum: number,
+  start: number,
+  end: number,
+  products: { start: Map<number, number>; end: Map<number, number> },
+): Fit {
+  const last = width.length - 1;
+  // The two ends do not overlap, so their products with each other are 0.
+  const product = (steps: number, known: Map<number, number>, place: (i: number) => number): number => {
+    const found = known.get(steps);
+    if (found !== undefined) return found;
+    let total = 0;
+    for (let i = 0; i <= last; i++) total += width[i] * inside(place(i), steps);
+    known.set(steps, total);
+    return total;
+  };
+  const fromStart = product(start, products.start, (i) => i / last);
+  const fromEnd = product(end, products.end, (i) => 1 - i / last);
+  const [sumStart, squareStart] = momentsOf(start, last);
+  const [sumEnd, squareEnd] = momentsOf(end, last);
+  // The drops are eliminated from the normal equations, which leaves one equation for the full width.
+  const shareStart = squareStart > 0 ? sumStart / squareStart : 0;
+  const shareEnd = squareEnd > 0 ? sumEnd / squareEnd : 0;
+  const full =
+    (sum - shareStart * fromStart - shareEnd * fromEnd) / (last + 1 - shareStart * sumStart - shareEnd * sumEnd);
+  const startDrop = squareStart > 0 ? (full * sumStart - fromStart) / squareStart : 0;
+  const endDrop = squareEnd > 0 ? (full * sumEnd - fromEnd) / squareEnd : 0;
+  // Ends that become wider are no tapers.
+  if (startDrop < 0 || endDrop < 0 || !Number.isFinite(full)) {
+    return { start: 0, end: 0, full: sum / (last + 1), startDrop: 0, endDrop: 0, explained: Number.NEGATIVE_INFINITY };
+  }
+  return { start, end, full, startDrop, endDrop, explained: full * sum - startDrop * fromStart - endDrop * fromEnd };
+}
+
+/** The sums of `inside` and of its square over all samples. */
+function momentsOf(steps: number, last: number): [sum: number, squares: number] {
+  let sum = 0;
+  let squares = 0;
+  for (let i = 0; i * STEPS < steps * last; i++) {
+    const value = inside(i / last, steps);
+    sum += value;
+    squares += value * value;
+  }
+  return [sum, squares];
 }

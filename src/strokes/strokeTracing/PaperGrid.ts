@@ -1,5 +1,5 @@
 import { forEachChunk } from '../../mesh/phases.js';
-import type { GreyImage } from './readGrey.js';
+import type { GreyImage } from './ScannedImage.js';
 
 /** Approximate number of cells. */
 const CELLS = 900;

@@ -1,6 +1,6 @@
 import { chunkPhase } from '../../mesh/phases.js';
 import { gridValue, otsuThreshold, type PaperGrid } from './PaperGrid.js';
-import type { GreyImage } from './readGrey.js';
+import type { GreyImage } from './ScannedImage.js';
 
 /** Least depth of an ink pixel, as a share of the depth of ink. */
 const INK_SHARE = 0.45;

@@ -1,21 +1,17 @@
 import { asPhase, chunkPhase } from '../../mesh/phases.js';
 import type { HandStroke, SwatchTone } from '../hand/Hand.js';
-import { directStrokes } from './directStrokes.js';
 import { depthOfLines, findInk, type Ink } from './findInk.js';
-import { measureChain, type TracedStroke } from './measureChain.js';
-import { measureDistances } from './measureDistances.js';
+import { measureChain, resample, type TracedStroke } from './measureChain.js';
 import { findPaper } from './PaperGrid.js';
-import { resample } from './Path.js';
-import { readGrey, reductionOf } from './readGrey.js';
 import { resolveJunctions } from './resolveJunctions.js';
-import { checkScannedImage, type ScannedImage } from './ScannedImage.js';
+import { checkScannedImage, readGrey, reductionOf, type ScannedImage } from './ScannedImage.js';
 import { type SkeletonGraph, traceGraph } from './SkeletonGraph.js';
-import { thin } from './thin.js';
+import { measureDistances, thin } from './thin.js';
 
 /** Assumed width of a swatch on paper, in millimetres. */
-export const SWATCH_MILLIMETRES = 60;
+const SWATCH_MILLIMETRES = 60;
 /** Largest number of strokes of a swatch. */
-export const MOST_STROKES = 1000;
+const MOST_STROKES = 1000;
 /** A picture with more branches is a texture. */
 const MOST_BRANCHES = 40_000;
 /** Largest number of points of a stroke. */
@@ -192,4 +188,45 @@ function dropBlots(mask: Uint8Array, distances: Float32Array, width: number, wid
       }
     }
   }
+}
+
+/** Bins of the angles of strokes, from 0 to 180 degrees. */
+const BINS = 36;
+
+/**
+ * Gives strokes a likely direction of drawing, in place. Ink does not show it, but the strokes of a layer are drawn one way: the direction
+ * reverses at the angle that the fewest strokes have, and most strokes go to the right.
+ */
+function directStrokes(strokes: readonly TracedStroke[]): void {
+  const chords = strokes.map(({ xs, ys }) => ({ x: xs[xs.length - 1] - xs[0], y: ys[ys.length - 1] - ys[0] }));
+  const cut = emptiestAngle(chords);
+  const turned = chords.map(({ x, y }) => Math.sin(Math.atan2(y, x) - cut) < 0);
+  let right = 0;
+  chords.forEach(({ x }, i) => {
+    right += turned[i] ? -x : x;
+  });
+  strokes.forEach(({ xs, ys, widths }, i) => {
+    if (turned[i] === right >= 0) for (const values of [xs, ys, widths]) values.reverse();
+  });
+}
+
+function emptiestAngle(chords: readonly { x: number; y: number }[]): number {
+  const lengths = new Float64Array(BINS);
+  for (const { x, y } of chords) {
+    const turn = (((Math.atan2(y, x) / Math.PI) % 1) + 1) % 1;
+    lengths[Math.min(BINS - 1, Math.floor(turn * BINS))] += Math.hypot(x, y);
+  }
+  let best = 0;
+  let least = Number.POSITIVE_INFINITY;
+  for (let bin = 0; bin < BINS; bin++) {
+    let sum = 0;
+    // Bins nearby count too, so that the middle of the widest gap is found.
+    for (let away = -8; away <= 8; away++) {
+      sum += lengths[(bin + away + BINS) % BINS] / (1 + away * away);
+    }
+    if (sum >= least) continue;
+    least = sum;
+    best = bin;
+  }
+  return ((best + 0.5) * Math.PI) / BINS;
 }

@@ -1,5 +1,4 @@
-import { DEFAULT_STROKE_TEXELS, type HatchImages } from './HatchImages.js';
-import { excessOf, MAX_SIDE } from './mapLimits.js';
+import { DEFAULT_STROKE_TEXELS, excessOf, type HatchImages, MAX_SIDE } from './HatchImages.js';
 
 /** How well hatch images keep the constraints of Suarez et al., section 3.1. Images that break them can still be drawn. */
 export interface HatchImageReport {

@@ -2,9 +2,11 @@ import { type PaperGrain, paperGrain } from '../paperGrain.js';
 import { placeStrokes } from '../placeStrokes.js';
 import { rasterizeStroke } from '../rasterizeStroke.js';
 import type { Stroke } from '../Stroke.js';
+import type { StrokeStyle } from '../StrokeStyle.js';
+import { strokeStyles } from '../strokeStyles.js';
 import { findLostInk, HALF_INK } from './checkHatchImages.js';
 import type { HatchImages } from './HatchImages.js';
-import { type HatchImageRequest, type MapRequest, resolveHatchImageOptions } from './hatchImageRequest.js';
+import { type FullMapDrawing, type MapDrawing, resolveMapDrawing } from './hatchImageOptions.js';
 
 /**
  * Draws the hatch images of a tonal art map: every tone at every level.
@@ -63,4 +65,25 @@ export function enforceLevelNesting({ size, images }: HatchImages): void {
       }
     }
   }
+}
+
+/** The options of a generated map in the form passed to the worker: plain data. */
+export interface MapRequest extends Omit<MapDrawing, 'hand'> {
+  /** The style of the hand (`handStyle`). */
+  hand?: StrokeStyle | undefined;
+}
+
+/** The options with the named style. */
+export interface HatchImageRequest extends Omit<FullMapDrawing, 'style' | 'strokeTexels'> {
+  style: StrokeStyle;
+}
+
+/**
+ * Fills in defaults, checks ranges, and resolves the style.
+ *
+ * @throws RangeError that names the option and its range
+ */
+export function resolveHatchImageOptions(options: MapRequest = {}): HatchImageRequest {
+  const { style, strokeTexels, ...shape } = resolveMapDrawing(options);
+  return { style: options.hand ?? { ...strokeStyles[style], width: strokeTexels }, ...shape };
 }

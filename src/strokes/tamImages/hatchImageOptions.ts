@@ -1,6 +1,5 @@
 import type { Hand } from '../hand/Hand.js';
-import type { StrokeStyleName } from '../strokeStyleNames.js';
-import { STROKE_WIDTHS } from '../strokeWidths.js';
+import { STROKE_WIDTHS, type StrokeStyleName } from '../strokeStyleNames.js';
 
 /** Texels per side of the coarsest level of a map. On a smaller level, strokes would be as wide as long. */
 export const COARSEST_SIZE = 16;

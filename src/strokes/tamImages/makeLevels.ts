@@ -1,10 +1,9 @@
 import { asPhase } from '../../mesh/phases.js';
 import { equalize } from '../ranking.js';
 import { meanInk } from './checkHatchImages.js';
-import { deriveThresholds } from './deriveThresholds.js';
-import type { ThresholdLevel } from './encodeThresholds.js';
 import type { HatchImages } from './HatchImages.js';
 import { COARSEST_SIZE } from './hatchImageOptions.js';
+import { deriveThresholds, type ThresholdLevel } from './thresholds.js';
 
 /**
  * Makes the missing levels of images that have only one, each with half the texels per side, down to 16.

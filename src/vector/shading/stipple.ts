@@ -1,7 +1,7 @@
 /** Dots that are fixed on the surface and round on the screen, as in shaders/techniques/anchored/stipple.glsl and dots.glsl. */
 
+import { STIPPLE_CONSTANTS } from '../../look/constants/patternConstants.js';
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
-import { STIPPLE_CONSTANTS } from '../../look/constants/stippleConstants.js';
 import { clamp01, combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 import { leftOf, THIRD_FROM, takenOf } from './crossedTones.js';
 import type { ScreenMap } from './screenGradient.js';

@@ -1,7 +1,6 @@
 /** From light to the printed tone, as in tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl. */
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
-import { lightness } from '../../look/luminance.js';
-import { clamp01, mix, smoothstep } from '../../look/vectors.js';
+import { clamp01, lightness, mix, smoothstep } from '../../look/vectors.js';
 
 const { CAVITY, HOLLOW } = TONE_CONSTANTS;
 

@@ -9,8 +9,7 @@ import {
   RepeatWrapping,
   type Texture,
 } from 'three';
-import { luminanceOf } from '../../look/luminance.js';
-import type { Vec3 } from '../../look/vectors.js';
+import { luminanceOf, type Vec3 } from '../../look/vectors.js';
 import { isFitted } from '../../material/exposure/isFitted.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';

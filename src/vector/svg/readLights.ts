@@ -11,9 +11,8 @@ import {
   type SpotLight,
   Vector3,
 } from 'three';
-import { luminanceOf } from '../../look/luminance.js';
 import type { Surroundings } from '../../look/surroundings.js';
-import type { Vec3 } from '../../look/vectors.js';
+import { luminanceOf, type Vec3 } from '../../look/vectors.js';
 import { LightsAround } from '../../material/exposure/LightsAround.js';
 import type { LampShadow } from '../ShadowRays.js';
 import type { Lamp } from '../shading/radiance.js';

@@ -1,15 +1,6 @@
-import {
-  type Camera,
-  type IUniform,
-  type Material,
-  type Mesh,
-  type Object3D,
-  type Vector2,
-  Vector3,
-  Vector4,
-} from 'three';
-import { luminanceOf } from '../../look/luminance.js';
-import { resolveLook } from '../../look/resolveLook.js';
+import { type IUniform, type Mesh, type Vector2, type Camera, type Material, type Object3D, Vector3, Vector4 } from 'three';
+import { resolveLook } from '../../look/queries.js';
+import { luminanceOf } from '../../look/vectors.js';
 import { isFitted } from '../../material/exposure/isFitted.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import { type FadingLook, importanceOf, takesWeight, writeDepthFading } from '../../material/fading/fading.js';

@@ -47,7 +47,7 @@ export const maps: readonly Mutation[] = [
   },
   {
     name: 'the tail of the normal distribution is mirrored',
-    file: 'src/strokes/tamImages/encodeThresholds.ts',
+    file: 'src/strokes/tamImages/thresholds.ts',
     find: 'return -normalQuantile(1 - p)',
     replace: 'return normalQuantile(1 - p)',
     caughtBy: { layer: 'unit', file: 'tests/unit/strokes/tamImages/encodeThresholds.test.ts', title: 'Φ⁻¹(' },

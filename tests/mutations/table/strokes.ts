@@ -37,8 +37,8 @@ export const strokes: readonly Mutation[] = [
   {
     name: 'a stroke is drawn on its own level alone',
     file: 'src/strokes/placeStrokes.ts',
-    find: 'for (let finer = level; finer >= 0; finer--)',
-    replace: 'for (let finer = level; finer >= level; finer--)',
+    find: 'for (let finer = level; finer >= 0; finer--) {\n          for (const addedStroke',
+    replace: 'for (let finer = level; finer >= level; finer--) {\n          for (const addedStroke',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/strokes/placeStrokes.test.ts',

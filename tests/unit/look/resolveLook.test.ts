@@ -1,6 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import type { HatchingLook } from '../../../src/look/queries.js';
-import { drawnValue, type ResolvedLook, resolveLook } from '../../../src/look/resolveLook.js';
+import { drawnValue, type HatchingLook, type ResolvedLook, resolveLook } from '../../../src/look/queries.js';
 
 /** What is drawn of a look on meshes that were prepared with their form, and on others. */
 type Row = readonly [what: string, look: HatchingLook, withForm: Partial<ResolvedLook>, without: Partial<ResolvedLook>];

@@ -3,10 +3,9 @@ import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
 import type { StrokeStyleName } from '../../../src/strokes/strokeStyleNames.js';
 import { strokeStyles } from '../../../src/strokes/strokeStyles.js';
-import { generateHatchImages } from '../../../src/strokes/tamImages/generateHatchImages.js';
+import { generateHatchImages, type MapRequest } from '../../../src/strokes/tamImages/generateHatchImages.js';
 import type { HatchImages } from '../../../src/strokes/tamImages/HatchImages.js';
 import type { MapDrawing } from '../../../src/strokes/tamImages/hatchImageOptions.js';
-import type { MapRequest } from '../../../src/strokes/tamImages/hatchImageRequest.js';
 
 /** The styles, for test matrices. */
 export const styleNames = Object.keys(strokeStyles) as StrokeStyleName[];

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { drawThresholdField } from '../../../src/strokes/drawThresholdField.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
+import { drawThresholdField } from '../../../src/strokes/tamImages/generateThresholds.js';
 
 const SIZE = 32;
 

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { paperGrain } from '../../../src/strokes/paperGrain.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
-import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchImageRequest.js';
+import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/generateHatchImages.js';
 
 const charcoal = resolveHatchImageOptions({ style: 'charcoal', size: 64 });
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type PlacementRequest, placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
-import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchImageRequest.js';
+import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/generateHatchImages.js';
 import { drawStrokes, finish, styleNames } from './draw.js';
 
 const request = resolveHatchImageOptions;

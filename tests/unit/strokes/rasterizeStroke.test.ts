@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { placeStrokes } from '../../../src/strokes/placeStrokes.js';
 import { rasterizeStroke } from '../../../src/strokes/rasterizeStroke.js';
 import type { Stroke } from '../../../src/strokes/Stroke.js';
-import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/hatchImageRequest.js';
+import { resolveHatchImageOptions } from '../../../src/strokes/tamImages/generateHatchImages.js';
 import { drawStrokes, finish, styleNames } from './draw.js';
 
 const stroke = (values: Partial<Stroke>): Stroke => ({

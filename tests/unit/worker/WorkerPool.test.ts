@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { MapRequest } from '../../../src/strokes/tamImages/hatchImageRequest.js';
+import type { MapRequest } from '../../../src/strokes/tamImages/generateHatchImages.js';
 import { bakingTasks } from '../../../src/worker/runTask.js';
 import { maxWorkers } from '../../../src/worker/TaskOptions.js';
 import type { BakingTasks } from '../../../src/worker/tasks.js';

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { learnHand } from '../../../src/strokes/hand/learnHand.js';
-import { learnHandAsync } from '../../../src/worker/learnHandAsync.js';
+import { learnHandAsync } from '../../../src/worker/handsAsync.js';
 import { drawSwatch } from '../strokes/hand/drawSwatch.js';
 
 const strokes = drawSwatch({ rows: 120, taperEnd: 0.3, angleSpread: 3 });

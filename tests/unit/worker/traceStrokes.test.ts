@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { learnHand } from '../../../src/strokes/hand/learnHand.js';
-import { traceStrokes } from '../../../src/worker/traceStrokes.js';
+import { traceStrokes } from '../../../src/worker/handsAsync.js';
 import { photograph, straight } from '../strokes/strokeTracing/paper.js';
 import { trace } from '../strokes/strokeTracing/trace.js';
 

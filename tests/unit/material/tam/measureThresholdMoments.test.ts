@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { measureThresholdMoments } from '../../../../src/material/tam/measureThresholdMoments.js';
 import { pairThresholdLevels } from '../../../../src/material/tam/pairThresholdLevels.js';
 import { random as seeded } from '../../../../src/strokes/random.js';
-import { encodeThresholds } from '../../../../src/strokes/tamImages/encodeThresholds.js';
 import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
+import { encodeThresholds } from '../../../../src/strokes/tamImages/thresholds.js';
 
 /** Random thresholds: neighbouring texels are independent. */
 function noise(size: number, seed: number) {

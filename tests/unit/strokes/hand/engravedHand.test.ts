@@ -1,9 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
-import { engravedHand } from '../../../../src/strokes/hand/engravedHand.js';
-import type { Hand, HandNumbers } from '../../../../src/strokes/hand/Hand.js';
-import { HAND_NUMBER_NAMES, HAND_NUMBER_RANGES } from '../../../../src/strokes/hand/handNumbers.js';
+import {
+  engravedHand,
+  HAND_NUMBER_NAMES,
+  HAND_NUMBER_RANGES,
+  type Hand,
+  type HandNumbers,
+} from '../../../../src/strokes/hand/Hand.js';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { random } from '../../../../src/strokes/random.js';
 import { drawSwatch } from './drawSwatch.js';

@@ -1,6 +1,5 @@
 import { expect, test } from 'vitest';
-import type { HandNumbers } from '../../../../src/strokes/hand/Hand.js';
-import { HAND_NUMBER_NAMES } from '../../../../src/strokes/hand/handNumbers.js';
+import { HAND_NUMBER_NAMES, type HandNumbers } from '../../../../src/strokes/hand/Hand.js';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { type ExampleHandName, exampleHand, exampleHandNames } from '../../../../src/strokes/hands/exampleHand.js';
 import { meanInk } from '../../../../src/strokes/tamImages/checkHatchImages.js';

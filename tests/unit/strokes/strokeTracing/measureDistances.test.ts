@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { random } from '../../../../src/strokes/random.js';
-import { measureDistances } from '../../../../src/strokes/strokeTracing/measureDistances.js';
+import { measureDistances } from '../../../../src/strokes/strokeTracing/thin.js';
 
 test('every distance equals the brute-force distance to the nearest pixel of paper', () => {
   const [width, height] = [37, 23];

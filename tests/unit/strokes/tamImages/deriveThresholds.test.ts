@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { deriveThresholds as derive } from '../../../../src/strokes/tamImages/deriveThresholds.js';
 import type { HatchImages } from '../../../../src/strokes/tamImages/HatchImages.js';
+import { deriveThresholds as derive } from '../../../../src/strokes/tamImages/thresholds.js';
 import { finish, hatchImages } from '../draw.js';
 
 const deriveThresholds = (images: HatchImages) => finish(derive(images));

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { encodeThresholds, normalQuantile } from '../../../../src/strokes/tamImages/encodeThresholds.js';
+import { encodeThresholds, normalQuantile } from '../../../../src/strokes/tamImages/thresholds.js';
 
 describe('normalQuantile', () => {
   it.each([

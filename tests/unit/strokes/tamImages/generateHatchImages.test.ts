@@ -3,9 +3,11 @@ import { placeStrokes } from '../../../../src/strokes/placeStrokes.js';
 import type { Stroke } from '../../../../src/strokes/Stroke.js';
 import { strokeStyles } from '../../../../src/strokes/strokeStyles.js';
 import { checkHatchImages } from '../../../../src/strokes/tamImages/checkHatchImages.js';
-import { generateHatchImages } from '../../../../src/strokes/tamImages/generateHatchImages.js';
-import type { MapRequest } from '../../../../src/strokes/tamImages/hatchImageRequest.js';
-import { resolveHatchImageOptions } from '../../../../src/strokes/tamImages/hatchImageRequest.js';
+import {
+  generateHatchImages,
+  type MapRequest,
+  resolveHatchImageOptions,
+} from '../../../../src/strokes/tamImages/generateHatchImages.js';
 import { cases } from '../../../selection.mjs';
 import { drawStrokes, finish, hatchImages, styleNames } from '../draw.js';
 

@@ -1,10 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { drawThresholdField } from '../../../../src/strokes/drawThresholdField.js';
 import { placeStrokes } from '../../../../src/strokes/placeStrokes.js';
-import type { ThresholdLevel } from '../../../../src/strokes/tamImages/encodeThresholds.js';
-import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
-import type { MapRequest } from '../../../../src/strokes/tamImages/hatchImageRequest.js';
-import { resolveHatchImageOptions } from '../../../../src/strokes/tamImages/hatchImageRequest.js';
+import { type MapRequest, resolveHatchImageOptions } from '../../../../src/strokes/tamImages/generateHatchImages.js';
+import { drawThresholdField, generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
+import type { ThresholdLevel } from '../../../../src/strokes/tamImages/thresholds.js';
 import { finish, styleNames } from '../draw.js';
 
 const drawn = new Map<string, ThresholdLevel[]>();

@@ -2,7 +2,7 @@ import { afterAll, expect, test } from 'vitest';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import type { ScannedImage } from '../../../../src/strokes/strokeTracing/ScannedImage.js';
 import type { Random } from '../../../../src/viewer/settings/Random.js';
-import { traceStrokes } from '../../../../src/worker/traceStrokes.js';
+import { traceStrokes } from '../../../../src/worker/handsAsync.js';
 import { photograph, straight } from '../../strokes/strokeTracing/paper.js';
 import { NUMBERS, outcome } from './oddThings.js';
 import { FUZZ_TIMEOUT, type FuzzReport, runCases, seedsOf, writeReport } from './report.js';

@@ -18,7 +18,7 @@ import {
   Vector3,
 } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { lightness } from '../../../../src/look/luminance.js';
+import { lightness } from '../../../../src/look/vectors.js';
 import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cases } from '../../../selection.mjs';
