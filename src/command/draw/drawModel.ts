@@ -23,7 +23,7 @@ import type { DrawingCounts, DrawMessage, DrawTask } from '../draw.js';
 import type { DrawingOptions } from '../parseDrawing.js';
 import { plainSentence } from './failure.js';
 import { NodeSurroundings } from './NodeSurroundings.js';
-import { type StagedModel, settingsFor, stageModel } from './stageModel.js';
+import { type ReadyScene, settingsFor, setUpScene } from './setUpScene.js';
 
 /** Progress at the end of reading, of adjacency and of baking; drawing takes the rest. */
 const READ = 0.08;
@@ -66,7 +66,7 @@ export async function drawModel(
   checkChosen(model, options, name);
   for (const offer of offersOf(model, options, linked)) note(`${name} ${offer}.`);
   const angles = anglesOf(options);
-  const staged = await stageModel(model, drawnWith, options, angles, {
+  const staged = await setUpScene(model, drawnWith, options, angles, {
     signal,
     report: (stage, share) => progress(stage, JOINED + (BAKED - JOINED) * share),
   });
@@ -210,7 +210,7 @@ function dropEmptyPictures(material: HatchingMaterial): void {
 
 async function drawFrames(
   { motion }: HatchedModel,
-  { scene, placed, placeLights, sheet }: StagedModel,
+  { scene, placed, placeLights, sheet }: ReadyScene,
   { frames = 1, clip, ...options }: DrawingOptions,
   name: string,
   to: {

@@ -2,7 +2,7 @@ import { Box3, BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, Me
 import { HatchingMaterial, type HatchingMaterialParameters } from 'three-hatching';
 import type { BuiltInScene } from '../../viewer/drawing/buildModel.js';
 import { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
-import { outlineOf } from '../../viewer/drawing/meshes.js';
+import { someVertices } from '../../viewer/drawing/meshes.js';
 import { boundsOf, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import type { ReadModel } from '../../viewer/files/readModel.js';
 import type { Settings } from '../../viewer/settings/settings.js';
@@ -31,7 +31,7 @@ export function placeholderOf(read: ReadModel | BuiltInScene, settings: Settings
     geometry.boundingBox,
     { side, vertexColors },
     triangleCount(mesh),
-    outlineOf(mesh.positions),
+    someVertices(mesh.positions),
   );
 }
 

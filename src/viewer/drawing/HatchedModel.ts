@@ -46,7 +46,7 @@ import type { ModelStatistics } from './statistics.js';
 const NO_INK = { blending: CustomBlending, blendSrc: ZeroFactor, blendDst: OneFactor };
 
 /** A tone curve that draws no ink. */
-export const BLANK: readonly (readonly [number, number])[] = [
+export const BLANK_CURVE: readonly (readonly [number, number])[] = [
   [0, 0],
   [1, 0],
 ];
@@ -214,7 +214,7 @@ export class HatchedModel {
       for (const [i, material] of (this.sets[kind]?.materials ?? []).entries()) {
         const { isGlass: isClear, blending, premultipliedAlpha } = surfaces[i];
         material.colorWrite = ink !== 'hidden';
-        material.toneCurve = ink === 'blank' ? BLANK : (shown.look?.[kind]?.toneCurve ?? material.toneCurve);
+        material.toneCurve = ink === 'blank' ? BLANK_CURVE : (shown.look?.[kind]?.toneCurve ?? material.toneCurve);
         if (!isClear) material.paperOpacity = paper ? 1 : 0;
         // NoBlending makes a near surface overwrite strokes behind it, also in the gaps between its own strokes.
         material.blending = paper || isClear ? blending : NoBlending;

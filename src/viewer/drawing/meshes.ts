@@ -106,7 +106,7 @@ function boxOf(meshes: readonly Mesh[], counts: (material: Material) => boolean)
 const OUTLINE_POINTS = 20_000;
 
 /** An even sample of a mesh's vertices. */
-export function outlineOf(positions: Float32Array): Float32Array {
+export function someVertices(positions: Float32Array): Float32Array {
   const count = positions.length / 3;
   const step = Math.ceil(count / OUTLINE_POINTS);
   const outline = new Float32Array(3 * Math.ceil(count / step));

@@ -6,7 +6,7 @@ import type { MeshPicture } from '../files/pictures/meshPictures.js';
 import type { ReadMesh } from '../files/readModel.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
-import { meshesOf, outlineOf } from './meshes.js';
+import { meshesOf, someVertices } from './meshes.js';
 import { statisticsOf } from './statistics.js';
 
 /** The largest normalised values of a signed 16-bit and of an unsigned 8-bit integer, which stand for 1. */
@@ -84,7 +84,7 @@ export async function modelOfMesh(
   const model = new HatchedModel(
     root,
     solid.isEmpty() ? bounds : solid,
-    outlineOf(mesh.positions),
+    someVertices(mesh.positions),
     stands,
     statisticsOf(root),
     undefined,

@@ -19,7 +19,7 @@ import { findUpAxis, type UsualUp } from '../files/mesh/findUpAxis.js';
 import { measureExtent } from '../files/mesh/fitModel.js';
 import { checkTriangleCount, thinNote } from '../files/mesh/PlainMesh.js';
 import { repairScene } from '../files/scenes/repairGeometry.js';
-import { settleAlpha } from '../files/scenes/settleAlpha.js';
+import { resolveAlpha } from '../files/scenes/resolveAlpha.js';
 import { HatchedModel } from './HatchedModel.js';
 import { Motion } from './Motion.js';
 import { freeGraphics } from './materials.js';
@@ -88,7 +88,7 @@ export async function modelOfScene(
   hideAllButMeshes(root);
   repairScene(root);
   await slices.next();
-  settleAlpha(root);
+  resolveAlpha(root);
   removeUnseen(root);
   leaveNormalsOpen(root);
   widenIntegers(root);

@@ -1,6 +1,6 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
 import { HatchingMaterial, prepareHatchingGeometry, type SceneExtent, type TonalArtMap } from 'three-hatching';
-import { BLANK } from '../drawing/HatchedModel.js';
+import { BLANK_CURVE } from '../drawing/HatchedModel.js';
 import { type EitherMaterial, materialSizesIn, parameterSetter } from '../drawing/materials.js';
 import { meshesOf } from '../drawing/meshes.js';
 import type { Look } from '../settings/lookOf.js';
@@ -117,7 +117,7 @@ export class Ground {
     const isFloor = this.kind === 'floor';
     this.holder.visible &&= layer === 'shadow' || (layer === 'colour' && isFloor);
     this.showPaper(layer === 'colour');
-    if (layer === 'colour') this.material.toneCurve = BLANK;
+    if (layer === 'colour') this.material.toneCurve = BLANK_CURVE;
   }
 
   /** Frees the material and geometry, and removes the ground from the scene. */

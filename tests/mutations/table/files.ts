@@ -120,9 +120,9 @@ export const files: readonly Mutation[] = [
   },
   {
     name: 'simplified meshes lose their last vertex',
-    file: 'src/viewer/files/mesh/simplifyMesh.ts',
-    find: 'numbers[vertex] - 1)',
-    replace: 'numbers[vertex])',
+    file: 'src/viewer/files/mesh/cleanMesh.ts',
+    find: '(vertex) => renumbered[vertex] - 1',
+    replace: '(vertex) => renumbered[vertex]',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/reading/simplifyMesh.test.ts',

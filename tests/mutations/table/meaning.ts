@@ -4,12 +4,12 @@ import type { Mutation } from '../Mutation.js';
 export const meaning: readonly Mutation[] = [
   {
     name: 'blended surfaces hide what is behind them',
-    file: 'src/viewer/files/scenes/settleAlpha.ts',
-    find: 'if (opacity < MOST) Object',
+    file: 'src/viewer/files/scenes/resolveAlpha.ts',
+    find: 'if (opacity < OPAQUE_ALPHA) Object',
     replace: 'if (opacity < 0) Object',
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/viewer/files/scenes/settleAlpha.test.ts',
+      file: 'tests/unit/viewer/files/scenes/resolveAlpha.test.ts',
       title: 'in a merged scene, glass has its own ranges, and invisible parts are ignored',
     },
   },

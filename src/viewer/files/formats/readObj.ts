@@ -4,8 +4,9 @@ import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { toUtf8 } from '../common/AsciiReader.js';
 import { baseName } from '../common/ModelFile.js';
 import type { FindFile } from '../common/Surroundings.js';
+import { withFakeDocument } from '../scenes/fakeDocument.js';
 import { DISPLACEMENT_NOTE, type LoadedScene } from '../scenes/LoadedScene.js';
-import { withoutDocument } from '../scenes/withoutDocument.js';
+import { withFakeDocument } from '../scenes/fakeDocument.js';
 import { writeFaces } from './writeFaces.js';
 
 /** Reads an OBJ file, with the materials of its MTL files if they were dropped along. */
@@ -14,7 +15,7 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
   const text = decoder.decode(bytes);
   const { materials, missing } = await findMaterials(materialLibraries(text), findFile);
   const loader = new OBJLoader();
-  const root = withoutDocument(() => {
+  const root = withFakeDocument(() => {
     if (materials) loader.setMaterials(new MTLLoader().parse(cleanMtl(materials), ''));
     return loader.parse(writeFaces(cleanObj(text)));
   });

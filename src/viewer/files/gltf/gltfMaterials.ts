@@ -2,7 +2,7 @@ import { ModelError } from '../common/ModelError.js';
 import { baseName, readUri } from '../common/ModelFile.js';
 import type { FindFile } from '../common/Surroundings.js';
 import { fitPictures, imageSize, type PictureSize, PixelBudget } from '../pictures/imageSize.js';
-import { TRANSMITTED } from '../scenes/settleAlpha.js';
+import { TRANSMITTED } from '../scenes/resolveAlpha.js';
 import type { AccessorValues } from './GltfValues.js';
 import type { GltfDocument, GltfMaterial, GltfTextureUse } from './gltfDocument.js';
 

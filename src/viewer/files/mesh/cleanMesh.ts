@@ -61,8 +61,8 @@ function isClean({ positions, normals, colors, uvs, indices, ranges }: PlainMesh
   return used === vertexCount;
 }
 
-/** Removes unused vertices and renumbers the others. */
-function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
+/** A mesh of some triangles of another, without unused vertices. */
+export function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
   const vertexCount = mesh.positions.length / 3;
   const renumbered = new Uint32Array(vertexCount);
   for (const vertex of indices) renumbered[vertex] = 1;

@@ -1,5 +1,6 @@
 import type { Simplifier } from '../../../mesh/detail/loadSimplifier.js';
 import { type SimplifiableMesh, simplifyTriangles } from '../../../mesh/detail/simplifyTriangles.js';
+import { compact } from './cleanMesh.js';
 import type { PlainMesh } from './PlainMesh.js';
 
 /** Meshes with more triangles are simplified, since a sheet cannot show more. */
@@ -76,26 +77,5 @@ function joined(mesh: PlainMesh, parts: readonly Uint32Array[]): PlainMesh {
     start += count;
     return { ...mesh.ranges?.[i], start: start - count, count, picture: -1 };
   });
-  return { ...compacted(mesh, indices), ...(mesh.ranges && { ranges }) };
-}
-
-/** A mesh of some triangles of another, without unused vertices. */
-function compacted({ positions, normals, colors }: PlainMesh, indices: Uint32Array): PlainMesh {
-  const numbers = new Uint32Array(positions.length / 3);
-  let count = 0;
-  for (const vertex of indices) if (numbers[vertex] === 0) numbers[vertex] = ++count;
-  const pick = (values: Float32Array): Float32Array => {
-    const picked = new Float32Array(3 * count);
-    for (let i = 0; i < numbers.length; i++) {
-      const to = 3 * (numbers[i] - 1);
-      if (to >= 0) for (let k = 0; k < 3; k++) picked[to + k] = values[3 * i + k];
-    }
-    return picked;
-  };
-  return {
-    positions: pick(positions),
-    normals: normals && pick(normals),
-    colors: colors && pick(colors),
-    indices: indices.map((vertex) => numbers[vertex] - 1),
-  };
+  return { ...compact(mesh, indices), ...(mesh.ranges && { ranges }) };
 }

@@ -34,9 +34,9 @@ export function withFaceColors({ positions, normals, indices }: PlainMesh, faceC
 }
 
 /** Surfaces with lower opacity are invisible. */
-export const LEAST = 0.02;
+export const LEAST_ALPHA = 0.02;
 /** Surfaces with at least this opacity are opaque. */
-export const MOST = 0.95;
+export const OPAQUE_ALPHA = 0.95;
 
 /**
  * Sorts the triangles of a mesh without pictures by alpha into opaque, glass (in a range of its own) and invisible. If nothing would be
@@ -48,8 +48,8 @@ export function rangesByAlpha(mesh: PlainMesh, alphaOf: (triangle: number) => nu
   const total = triangleCount(mesh);
   const alphas = new Float32Array(total);
   for (let triangle = 0; triangle < total; triangle++) alphas[triangle] = alphaOf(triangle);
-  const isThere = (alpha: number): boolean => alpha >= LEAST;
-  if (alphas.every((alpha) => alpha >= MOST) || !alphas.some(isThere)) return mesh;
+  const isThere = (alpha: number): boolean => alpha >= LEAST_ALPHA;
+  if (alphas.every((alpha) => alpha >= OPAQUE_ALPHA) || !alphas.some(isThere)) return mesh;
   const { indices } = mesh;
   const kept = new Uint32Array(3 * alphas.filter(isThere).length);
   const ranges: PictureRange[] = [];
@@ -57,7 +57,7 @@ export function rangesByAlpha(mesh: PlainMesh, alphaOf: (triangle: number) => nu
   for (const isSeeThrough of [false, true]) {
     const start = corner;
     for (let triangle = 0; triangle < total; triangle++) {
-      if (!isThere(alphas[triangle]) || alphas[triangle] < MOST !== isSeeThrough) continue;
+      if (!isThere(alphas[triangle]) || alphas[triangle] < OPAQUE_ALPHA !== isSeeThrough) continue;
       for (let k = 3 * triangle; k < 3 * triangle + 3; k++) kept[corner++] = indices ? indices[k] : k;
     }
     const count = corner - start;

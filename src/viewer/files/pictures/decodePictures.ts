@@ -2,9 +2,9 @@ import { counted } from '../common/ModelError.js';
 import type { PixelPicture, Surroundings } from '../common/Surroundings.js';
 import type { GltfSampler, GltfTextureUse } from '../gltf/gltfDocument.js';
 import type { GltfParts } from '../gltf/parseGltf.js';
-import { MOST } from '../mesh/vertexColors.js';
+import { OPAQUE_ALPHA } from '../mesh/vertexColors.js';
 import type { ReadModel } from '../readModel.js';
-import { TRANSMITTED } from '../scenes/settleAlpha.js';
+import { TRANSMITTED } from '../scenes/resolveAlpha.js';
 import { alphaOf, isHalfThere, isOpaque, pixelsOf } from './imageSize.js';
 
 /** Decodes the pictures of a model. Should run in a worker, since a large picture takes seconds. */
@@ -29,8 +29,8 @@ export async function withPictures(
       lost++;
     }
   }
-  settleBlendedPictures(parts);
-  settleTransmittedPictures(parts);
+  resolveBlendedPictures(parts);
+  resolveTransmittedPictures(parts);
   const notes = lost > 0 ? [counted(lost, 'damaged picture', 'left out')] : [];
   return { ...model, notes: [...model.notes, ...notes], lostPictures: (model.lostPictures ?? 0) + lost };
 }
@@ -47,7 +47,7 @@ interface BlendedMaterial {
  * Examines the decoded pictures of blended materials. A mostly half-transparent picture is replaced by its mean alpha in the material; a
  * picture without alpha makes its material opaque.
  */
-export function settleBlendedPictures({ json, textures, bitmaps }: GltfParts): void {
+export function resolveBlendedPictures({ json, textures, bitmaps }: GltfParts): void {
   for (const material of (json as { materials?: BlendedMaterial[] }).materials ?? []) {
     const { alphaMode, pbrMetallicRoughness: base } = material;
     const bitmap = bitmaps[textures[base?.baseColorTexture?.index ?? -1]?.image ?? -1];
@@ -101,7 +101,7 @@ const PLACES = Array.from({ length: 4 }, (_, i) => i).flatMap((row) =>
  * Examines the decoded transmission textures. Triangles that are mostly see-through become a primitive with a blended material; the others
  * stay as they are.
  */
-function settleTransmittedPictures(parts: GltfParts): void {
+function resolveTransmittedPictures(parts: GltfParts): void {
   const json = parts.json as Json;
   for (const [index, material] of [...(json.materials ?? [])].entries()) {
     if (!material.extras) continue;
@@ -195,7 +195,7 @@ function splitBy(
       const at = (axis: number): number =>
         uvs[2 * a + axis] * (1 - second - third) + uvs[2 * b + axis] * second + uvs[2 * c + axis] * third;
       const here = placed(at(0), at(1));
-      if (here >= MOST) continue;
+      if (here >= OPAQUE_ALPHA) continue;
       sum += here;
       seen++;
     }

@@ -15,7 +15,7 @@ import { FAR } from '../mesh/fitModel.js';
 import { checkReadTriangles, type PictureRange, type PlainMesh } from '../mesh/PlainMesh.js';
 import type { PictureLink, WantedPicture } from '../pictures/meshPictures.js';
 import { repairScene } from './repairGeometry.js';
-import { settleAlpha } from './settleAlpha.js';
+import { resolveAlpha } from './resolveAlpha.js';
 
 /**
  * Merges all meshes below `root`, in their places and saved poses, to one mesh, which needs one bake and one draw call. Colours of
@@ -28,7 +28,7 @@ import { settleAlpha } from './settleAlpha.js';
 export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: Matrix4): PlainMesh {
   root.updateMatrixWorld(true);
   repairScene(root);
-  settleAlpha(root);
+  resolveAlpha(root);
   const parts = placedParts(root, pictures);
   const toOrigin = nearOrigin(parts);
   if (toOrigin) toMesh?.copy(toOrigin);

@@ -8,15 +8,16 @@ import {
 } from 'three';
 import { TDSLoader } from 'three/addons/loaders/TDSLoader.js';
 import { ModelError } from '../common/ModelError.js';
+import { withFakeDocument } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withoutDocument } from './withoutDocument.js';
+import { withFakeDocument } from './fakeDocument.js';
 
 /** Reads a 3DS file. @throws ModelError if it is damaged; Error of the loader */
 export function read3ds(bytes: Uint8Array, name: string): LoadedScene {
   const plain = bytes.slice();
   check3ds(plain, name);
   const loader = new TdsFaces();
-  const root = withoutDocument(() => loader.parse(plain.buffer, ''));
+  const root = withFakeDocument(() => loader.parse(plain.buffer, ''));
   root?.traverse((object) => setNormals(object, loader));
   return sceneOf(root, name);
 }

@@ -4,14 +4,15 @@ import { ThreeMFLoader } from 'three/addons/loaders/3MFLoader.js';
 import { toUtf8 } from '../common/AsciiReader.js';
 import { counted, ModelError } from '../common/ModelError.js';
 import { unzip } from '../readArchive.js';
+import { withFakeDocument, type XmlElement, XmlParser } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withoutDocument, type XmlElement, XmlParser } from './withoutDocument.js';
+import { withFakeDocument, type XmlElement, XmlParser } from './fakeDocument.js';
 
 /** Reads a 3MF file. @throws ModelError if it is damaged; Error of the loader */
 export async function read3mf(bytes: Uint8Array, name: string): Promise<LoadedScene> {
   const joined = join3mf(await unzip(bytes, name, () => true), name);
   const scene = sceneOf(
-    withoutDocument(() => new ThreeMFLoader().parse(joined.bytes.slice().buffer)),
+    withFakeDocument(() => new ThreeMFLoader().parse(joined.bytes.slice().buffer)),
     name,
   );
   showAlpha(scene.root);

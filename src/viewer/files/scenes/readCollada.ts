@@ -1,13 +1,14 @@
 import type { Mesh, MeshPhongMaterial, Object3D } from 'three';
 import { ColladaLoader } from 'three/addons/loaders/ColladaLoader.js';
 import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
+import { withFakeDocument, XmlElement, XmlParser } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withoutDocument, XmlElement, XmlParser } from './withoutDocument.js';
+import { withFakeDocument, XmlElement, XmlParser } from './fakeDocument.js';
 
 /** Reads a COLLADA file (DAE), with its clips. @throws Error of the loader */
 export function readCollada(bytes: Uint8Array, name: string): LoadedScene {
   const text = new TextDecoder().decode(bytes);
-  const root = withoutDocument(() => new ColladaLoader().parse(text, '')?.scene, ColladaXml);
+  const root = withFakeDocument(() => new ColladaLoader().parse(text, '')?.scene, ColladaXml);
   if (root) takeMasks(root);
   return sceneOf(root, name);
 }

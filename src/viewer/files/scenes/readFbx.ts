@@ -1,7 +1,8 @@
 import { FBXLoader } from 'three/addons/loaders/FBXLoader.js';
 import { ModelError } from '../common/ModelError.js';
+import { withFakeDocument } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withoutDocument } from './withoutDocument.js';
+import { withFakeDocument } from './fakeDocument.js';
 
 /** The number of bytes that are searched for the version. */
 const HEAD_BYTES = 65536;
@@ -12,7 +13,7 @@ const MIN_VERSION = { ascii: 7000, binary: 6400 };
 export function readFbx(bytes: Uint8Array, name: string): LoadedScene {
   checkVersion(bytes, name);
   return sceneOf(
-    withoutDocument(() => new FBXLoader().parse(bytes.slice().buffer, '')),
+    withFakeDocument(() => new FBXLoader().parse(bytes.slice().buffer, '')),
     name,
   );
 }

@@ -1,20 +1,22 @@
 import type { BufferGeometry, Mesh } from 'three';
 import { USDLoader } from 'three/addons/loaders/USDLoader.js';
+import { replace, withFakeDocument } from './fakeDocument.js';
 import { DISPLACEMENT_NOTE, type LoadedScene, sceneOf } from './LoadedScene.js';
+import { repairFans } from './repairFans.js';
 import { mendFans } from './mendFans.js';
-import { replace, withoutDocument } from './withoutDocument.js';
+import { replace, withFakeDocument } from './fakeDocument.js';
 
 const SIGNATURE = '#usda';
 
 /** Reads a USD file: text, binary or package (USDZ). @throws Error of the loader */
 export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedScene> {
   const notes = new Set<string>();
-  const restore = await mendComposer(notes);
+  const restore = await patchComposer(notes);
   try {
     const isText = new TextDecoder('latin1').decode(bytes.subarray(0, SIGNATURE.length)) === SIGNATURE;
     const content = isText ? plainUsda(new TextDecoder().decode(bytes)) : bytes.slice().buffer;
-    const root = withoutDocument(() => new USDLoader().parse(content));
-    if (root) mendFans(root);
+    const root = withFakeDocument(() => new USDLoader().parse(content));
+    if (root) repairFans(root);
     return { ...sceneOf(root, name), notes: [...notes] };
   } finally {
     restore();
@@ -22,10 +24,10 @@ export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedSc
 }
 
 /** Versions of three.js without this composer module are left unpatched. */
-async function mendComposer(notes: Set<string>): Promise<() => void> {
+async function patchComposer(notes: Set<string>): Promise<() => void> {
   try {
     const { USDComposer } = await import('three/addons/loaders/usd/USDComposer.js');
-    return mendUsd(USDComposer.prototype as UsdComposer, notes);
+    return patchUsd(USDComposer.prototype as UsdComposer, notes);
   } catch {
     return () => {};
   }
@@ -83,7 +85,7 @@ const LEFT_OUT: Readonly<Record<string, string>> = {
  * @param notes receives notes for the caption
  * @returns a function that removes the patch
  */
-function mendUsd(prototype: UsdComposer, notes: Set<string>): () => void {
+function patchUsd(prototype: UsdComposer, notes: Set<string>): () => void {
   const { compose, _buildMesh, _getGeomSubsets, _getReferences, _resolveReference } = prototype;
   return replace(prototype, {
     _computeVertexNormals: (points: ArrayLike<number>) => new Float32Array(points.length),

@@ -1,9 +1,11 @@
 import type { BufferGeometry, Mesh, Object3D } from 'three';
 import { VRMLLoader } from 'three/addons/loaders/VRMLLoader.js';
 import { ModelError } from '../common/ModelError.js';
+import { withFakeDocument } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
+import { repairFans } from './repairFans.js';
 import { mendFans } from './mendFans.js';
-import { withoutDocument } from './withoutDocument.js';
+import { withFakeDocument } from './fakeDocument.js';
 
 /** Reads a VRML 2 file. @throws ModelError if it contains unsupported nodes; Error of the loader */
 export function readVrml(bytes: Uint8Array, name: string): LoadedScene {
@@ -11,9 +13,9 @@ export function readVrml(bytes: Uint8Array, name: string): LoadedScene {
   if (/^[^#"\n\r]*\b(?:EXTERN)?PROTO\b/m.test(text))
     throw new ModelError(`${name} defines nodes of its own (PROTO), which this page does not read.`);
   const plain = plainVrml(text);
-  const root = withoutDocument(() => new VRMLLoader().parse(plain.text, ''));
+  const root = withFakeDocument(() => new VRMLLoader().parse(plain.text, ''));
   if (!root) return sceneOf(root, name);
-  mendFans(root);
+  repairFans(root);
   if (!/\b(?:creaseAngle|Normal)\b/.test(text)) root.traverse(withoutNormals);
   return { ...sceneOf(root, name), notes: plain.notes };
 }

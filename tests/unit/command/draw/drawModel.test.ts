@@ -3,7 +3,10 @@ import { join } from 'node:path';
 import { drawSVG } from 'three-hatching/svg';
 import { describe, expect, test } from 'vitest';
 import { NodeSurroundings } from '../../../../src/command/draw/NodeSurroundings.js';
-import { settingsFor, stageModel } from '../../../../src/command/draw/stageModel.js';
+import { settingsFor, setUpScene } from '../../../../src/command/draw/setUpScene.js';
+import type { DrawMessage } from '../../../../src/command/draw.js';
+import { type DrawingOptions, parseDrawing } from '../../../../src/command/parseDrawing.js';
+import { settingsFor, setUpScene } from '../../../../src/command/draw/setUpScene.js';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { packGlb } from '../../../../tools/modelFiles/columnModel.js';
@@ -92,7 +95,7 @@ test('the drawing is that of drawSVG for a scene staged in the same way, byte fo
   const { signal } = new AbortController();
   const { model } = await buildModel(read, () => {}, signal);
   const drawnWith = settingsFor(options, undefined, read.upAxis);
-  const { scene, placed, placeLights } = await stageModel(model, drawnWith, options, [0], {
+  const { scene, placed, placeLights } = await setUpScene(model, drawnWith, options, [0], {
     signal,
     report: () => {},
   });

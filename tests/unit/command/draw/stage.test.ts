@@ -2,7 +2,7 @@ import { type BufferGeometry, type Mesh, type PerspectiveCamera, Spherical, Vect
 import type { HatchingMaterial } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
 import { NodeSurroundings } from '../../../../src/command/draw/NodeSurroundings.js';
-import { settingsFor, stageModel } from '../../../../src/command/draw/stageModel.js';
+import { settingsFor, setUpScene } from '../../../../src/command/draw/setUpScene.js';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { addTrack, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
@@ -20,7 +20,7 @@ describe('the stage', () => {
     const { signal } = new AbortController();
     const { model } = await buildModel(read, () => {}, signal);
     const drawnWith = settingsFor(options, options.link, 'y');
-    const stage = await stageModel(model, drawnWith, options, [0], { signal, report: () => {} });
+    const stage = await setUpScene(model, drawnWith, options, [0], { signal, report: () => {} });
     stage.placeLights();
     return { ...stage, settings: drawnWith.settings };
   }

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { GltfParts } from '../../../../../src/viewer/files/gltf/parseGltf.js';
-import { settleBlendedPictures } from '../../../../../src/viewer/files/pictures/decodePictures.js';
+import { resolveBlendedPictures } from '../../../../../src/viewer/files/pictures/decodePictures.js';
 import { alphaOf } from '../../../../../src/viewer/files/pictures/imageSize.js';
 
 /** A picture with a pixel for each alpha. */
@@ -32,7 +32,7 @@ test('a mostly half-transparent or transparent picture passes its alpha to the m
       textures: [{ image: 0, sampler: undefined }],
       bitmaps: [pictureOf(...alphas)],
     };
-    settleBlendedPictures(parts as unknown as GltfParts);
+    resolveBlendedPictures(parts as unknown as GltfParts);
     return [
       material.alphaMode,
       pbrMetallicRoughness.baseColorFactor[3].toFixed(2),

@@ -1,7 +1,8 @@
 import { PNG } from 'pngjs';
 import { FileLoader, ImageLoader, TextureLoader } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { withoutDocument, XmlParser } from '../../../../../src/viewer/files/scenes/withoutDocument.js';
+import { withFakeDocument, XmlParser } from '../../../../../src/viewer/files/scenes/fakeDocument.js';
+import { withFakeDocument, XmlParser } from '../../../../../src/viewer/files/scenes/fakeDocument.js';
 import {
   type Content,
   colorsOf,
@@ -100,7 +101,7 @@ describe('pictures and motion', () => {
 
   test('no loader of three can fetch', () => {
     vi.stubGlobal('fetch', () => expect.unreachable('nothing is fetched'));
-    withoutDocument(() => {
+    withFakeDocument(() => {
       new FileLoader().load('https://example.org/a.bin', () => {});
       new TextureLoader().load('https://example.org/a.png');
     });

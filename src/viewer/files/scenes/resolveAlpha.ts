@@ -1,5 +1,5 @@
 import type { BufferAttribute, Material, Mesh, Object3D, Texture } from 'three';
-import { LEAST, MOST } from '../mesh/vertexColors.js';
+import { LEAST_ALPHA, OPAQUE_ALPHA } from '../mesh/vertexColors.js';
 
 /** The largest loss of opacity by transmission: clear glass still counts as visible. */
 export const TRANSMITTED = 0.8;
@@ -14,14 +14,14 @@ type Surface = Material & { map?: Texture | null; alphaMap?: Texture | null; tra
  * see-through (`transparent`) or invisible (`visible` is false). Triangles with transparent vertices are left out, and others are split by
  * vertex alpha. If nothing would be visible, all is opaque: some programs write opacity inverted.
  */
-export function settleAlpha(root: Object3D): void {
+export function resolveAlpha(root: Object3D): void {
   const drawn: Surface[] = [];
   root.traverseVisible((object) => {
     const mesh = object as Mesh;
     if (!mesh.isMesh || !mesh.geometry.getAttribute('position')) return;
     const { material } = mesh;
-    if (Array.isArray(material)) for (const one of material) one && settle(one);
-    else if (material && !settleVertices(mesh, material)) settle(material);
+    if (Array.isArray(material)) for (const one of material) one && resolve(one);
+    else if (material && !resolveVertices(mesh, material)) resolve(material);
     drawn.push(...[mesh.material].flat().filter(Boolean));
   });
   if (drawn.some(({ visible }) => visible)) return;
@@ -35,7 +35,7 @@ const opacityOf = ({ opacity, transmission = 0 }: Surface): number =>
 const isBlended = ({ transparent, transmission = 0 }: Surface): boolean => transparent || transmission > 0;
 
 /** @param alpha of its vertices */
-function settle(material: Surface, alpha = 1): void {
+function resolve(material: Surface, alpha = 1): void {
   const opacity = alpha * opacityOf(material);
   const picture = material.map ?? material.alphaMap;
   const plain = { transparent: false, depthWrite: true, opacity: 1, alphaTest: 0, transmission: 0 };
@@ -44,8 +44,8 @@ function settle(material: Surface, alpha = 1): void {
     Object.assign(material, plain, { alphaTest: picture ? cutOff : 0 });
     if (cutOff > 1) material.visible = false;
   } else if (isBlended(material)) {
-    if (opacity < LEAST) material.visible = false;
-    if (opacity < MOST) Object.assign(material, plain, { transparent: true, depthWrite: false, opacity });
+    if (opacity < LEAST_ALPHA) material.visible = false;
+    if (opacity < OPAQUE_ALPHA) Object.assign(material, plain, { transparent: true, depthWrite: false, opacity });
     else {
       Object.assign(material, plain, { alphaTest: picture?.image ? HALF : 0 });
       // The picture decides once it is decoded.
@@ -59,7 +59,7 @@ function settle(material: Surface, alpha = 1): void {
  *
  * @returns whether vertices have an alpha
  */
-function settleVertices(mesh: Mesh, material: Surface): boolean {
+function resolveVertices(mesh: Mesh, material: Surface): boolean {
   const { geometry } = mesh;
   const color = geometry.getAttribute('color') as BufferAttribute | undefined;
   const isCutOut = material.alphaTest > 0;
@@ -72,9 +72,9 @@ function settleVertices(mesh: Mesh, material: Surface): boolean {
   for (let corner = 0; corner + 2 < corners; corner += 3) {
     const vertices = [corner, corner + 1, corner + 2].map((at) => (index ? index.getX(at) : at));
     const alphas = vertices.map((vertex) => color.getW(vertex));
-    if (opacity * Math.max(...alphas) < (isCutOut ? material.alphaTest : LEAST)) continue;
+    if (opacity * Math.max(...alphas) < (isCutOut ? material.alphaTest : LEAST_ALPHA)) continue;
     const sum = isCutOut ? 3 : alphas[0] + alphas[1] + alphas[2];
-    const side = isCutOut || (opacity * sum) / 3 >= MOST ? solid : clear;
+    const side = isCutOut || (opacity * sum) / 3 >= OPAQUE_ALPHA ? solid : clear;
     side.vertices.push(...vertices);
     side.sum += sum;
   }
@@ -83,8 +83,8 @@ function settleVertices(mesh: Mesh, material: Surface): boolean {
     mesh.geometry = geometry.clone();
     mesh.geometry.setIndex(solid.vertices.concat(clear.vertices));
   }
-  const materials = parts.map(({ vertices, sum }) => settled(material, sum / vertices.length));
-  if (parts.length < 2) mesh.material = materials[0] ?? settled(material, 0);
+  const materials = parts.map(({ vertices, sum }) => resolved(material, sum / vertices.length));
+  if (parts.length < 2) mesh.material = materials[0] ?? resolved(material, 0);
   else {
     mesh.material = materials;
     mesh.geometry.clearGroups();
@@ -94,9 +94,9 @@ function settleVertices(mesh: Mesh, material: Surface): boolean {
   return true;
 }
 
-/** A copy of a material, settled for a vertex alpha. */
-function settled(material: Surface, alpha: number): Surface {
+/** A copy of a material, resolved for a vertex alpha. */
+function resolved(material: Surface, alpha: number): Surface {
   const copy = material.clone();
-  settle(copy, alpha);
+  resolve(copy, alpha);
   return copy;
 }

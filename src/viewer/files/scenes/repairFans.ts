@@ -11,17 +11,17 @@ type Point = readonly [number, number, number];
  * Retriangulates concave polygons that three's loaders have cut as fans: consecutive triangles that form a fan in one plane with
  * inconsistent winding.
  */
-export function mendFans(root: Object3D): void {
+export function repairFans(root: Object3D): void {
   const seen = new Set<BufferGeometry>();
   root.traverse((object) => {
     const { geometry, isMesh } = object as Mesh;
     if (!isMesh || seen.has(geometry) || !geometry.getAttribute('position')) return;
     seen.add(geometry);
-    mend(geometry);
+    repair(geometry);
   });
 }
 
-function mend(geometry: BufferGeometry): void {
+function repair(geometry: BufferGeometry): void {
   const { index } = geometry;
   const position = geometry.getAttribute('position');
   const count = index?.count ?? position.count;

@@ -79,7 +79,7 @@ const UP = new Vector3(0, 1, 0);
 type Report = (stage: string, progress: number) => void;
 
 /** A model on its ground, with lights and a camera. */
-export interface StagedModel {
+export interface ReadyScene {
   scene: Scene;
   lights: LightRig;
   placed: PlacedCamera;
@@ -95,13 +95,13 @@ export interface StagedModel {
  *
  * @param angles by which the camera is turned for its pictures, in radians; the model fits in all of them
  */
-export async function stageModel(
+export async function setUpScene(
   model: HatchedModel,
   { settings, camera: place, isLit }: DrawnWith,
   options: DrawingOptions,
   angles: readonly number[],
   { signal, report }: { signal: AbortSignal; report: Report },
-): Promise<StagedModel> {
+): Promise<ReadyScene> {
   const scene = new Scene();
   const lights = new LightRig(scene);
   // The order of the playground's scene, in which lines are found and joined: the same link then gives the same paths.

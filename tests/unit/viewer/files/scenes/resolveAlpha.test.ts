@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { expect, test } from 'vitest';
 import { mergeScene } from '../../../../../src/viewer/files/scenes/mergeScene.js';
-import { settleAlpha } from '../../../../../src/viewer/files/scenes/settleAlpha.js';
+import { resolveAlpha } from '../../../../../src/viewer/files/scenes/resolveAlpha.js';
 import { measure } from '../../../../../tools/modelFiles/modelWriters.js';
 
 const map = new Texture({ url: 'leaf.png', width: 1, height: 1 });
@@ -44,7 +44,7 @@ test.each<[MeshPhysicalMaterialParameters, string]>([
   const material = new MeshPhysicalMaterial(parameters);
   const root = new Group().add(solid(), new Mesh(new BoxGeometry(), material));
   for (let times = 0; times < 2; times++) {
-    settleAlpha(root);
+    resolveAlpha(root);
     expect(kindOf(material)).toBe(kind);
   }
 });
@@ -65,7 +65,7 @@ test.each([
       4,
     ),
   );
-  settleAlpha(new Group().add(solid(), pane));
+  resolveAlpha(new Group().add(solid(), pane));
   expect(kindOf(pane.material)).toBe(kind);
   expect(pane.geometry.index!.count / 3).toBe(triangles);
 });
@@ -78,7 +78,7 @@ test('vertex alpha splits one mesh into opaque, see-through and invisible parts'
   const squares = new Mesh(geometry, new MeshStandardMaterial({ transparent: true, vertexColors: true }));
   const root = new Group().add(squares);
   for (let times = 0; times < 2; times++) {
-    settleAlpha(root);
+    resolveAlpha(root);
     const materials = squares.material as unknown as MeshStandardMaterial[];
     expect(materials.map(kindOf)).toEqual(['opaque', 'glass']);
     expect(squares.geometry.groups.map(({ start, count }) => [start, count])).toEqual([
@@ -95,7 +95,7 @@ test('vertex alpha splits one mesh into opaque, see-through and invisible parts'
 
 test('where nothing would be seen all is opaque', () => {
   const material = new MeshStandardMaterial({ transparent: true, opacity: 0 });
-  settleAlpha(new Group().add(new Mesh(new BoxGeometry(), material)));
+  resolveAlpha(new Group().add(new Mesh(new BoxGeometry(), material)));
   expect(kindOf(material)).toBe('opaque');
 });
 
