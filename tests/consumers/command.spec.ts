@@ -94,7 +94,7 @@ test('the command draws the map of a preset', { tag: '@all' }, () => {
   }
 });
 
-test('the command replaces a map only when told so, and other files never', { tag: '@all' }, () => {
+test('the command replaces a map only with its option, and other files never', { tag: '@all' }, () => {
   expect(run('tam', '--size', '64', '--tones', '4', '--out', 'here').status).toBe(0);
   const before = readFileSync(join(work, 'here/map.json'), 'utf8');
   const again = run('tam', '--size', '64', '--tones', '5', '--out', 'here');

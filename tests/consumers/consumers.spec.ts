@@ -131,7 +131,7 @@ test.describe('the tarball', () => {
     expect(peerDependenciesMeta).toEqual({ react: optional, '@react-three/fiber': optional, meshoptimizer: optional });
   });
 
-  test('imports three and nothing else; the worker imports nothing, the command what Node has, the components React and us', () => {
+  test("imports three alone; the worker imports nothing, the command only Node's modules, the components React and this library", () => {
     const imported = ['index.js', 'svg.js'].flatMap((name) => withImports(name)).flatMap(importsOf);
     expect(imported.filter((name) => name !== 'three' && !name.startsWith('./'))).toEqual([]);
     const ofNodes = withImports('webgpu.js').flatMap(importsOf);
@@ -164,7 +164,7 @@ test.describe('the tarball', () => {
     expect(readFileSync(join(projectFolder, 'wedge.svg'), 'utf8')).toContain('width="80mm" height="60mm"');
   });
 
-  test('without three, the command says what it needs to draw models, and draws maps', { tag: '@all' }, () => {
+  test('the command without three names it as a requirement for models, and draws maps', { tag: '@all' }, () => {
     const alone = mkdtempSync(join(tmpdir(), 'three-hatching-'));
     try {
       cpSync(libraryFolder, join(alone, 'node_modules/three-hatching'), { recursive: true });
@@ -185,7 +185,7 @@ test.describe('the tarball', () => {
     }
   });
 
-  test('leaves nothing in a bundle that uses nothing of it', async () => {
+  test('leaves nothing in a bundle that uses none of it', async () => {
     const chunks = loadedAtOnce(await bundle("import 'three-hatching';"));
     expect(chunks.map(({ code }) => code.trim()).join('')).toBe('');
   });

@@ -44,7 +44,7 @@ test('StrictMode mounts, unmounts and mounts: the children are hatched', { tag: 
   expect(progress.at(-1)).toBe(1);
 });
 
-test('changes are hatched again, and nothing is drawn unhatched in between', { tag: '@all' }, async ({ page }) => {
+test('changes are hatched again, and no frame in between is unhatched', { tag: '@all' }, async ({ page }) => {
   const show = (change: Shown) => page.evaluate((c) => window.page.show(c), change);
   const meshes = () => page.evaluate(() => window.page.meshes());
   await show({ shape: 'sphere' });
@@ -68,7 +68,9 @@ test('changes are hatched again, and nothing is drawn unhatched in between', { t
   expect(await page.evaluate(() => window.page.errors)).toEqual([]);
 });
 
-test('what cannot be hatched is skipped; an error shows the scene as it is', { tag: '@all' }, async ({ page }) => {
+test('objects that cannot be hatched are skipped; an error leaves the scene unhatched', { tag: '@all' }, async ({
+  page,
+}) => {
   await page.evaluate(() => window.page.show({ broken: true }));
   await page.waitForFunction(() => window.page.last!.skipped.length > 0);
   expect(await page.evaluate(() => window.page.last!.skipped.map(({ mesh }) => mesh.name))).toEqual(['broken']);
@@ -137,7 +139,7 @@ test('hot reload: an edited component is hatched anew, and the page and what it 
   expect((await page.evaluate(() => window.page.meshes())).first.material).toBe('HatchingMaterial');
 });
 
-test('the parts by hand: map, geometry, material and lines; what is taken away is at its default again', {
+test('the components alone: map, geometry, material and lines; removed props return to their defaults', {
   tag: '@all',
 }, async ({ page }) => {
   await page.evaluate(() => window.page.show({ hatched: false, byHand: true, ink: '#aa0000', outlineWidth: 5 }));

@@ -77,7 +77,7 @@ test('a model by its address is fetched when the user has agreed, by the one pag
   expect(pageProblems.splice(0).join()).toMatch(/Content Security Policy/);
 });
 
-test('an agreement is to one model on one site, whatever a link, its sender or a visitor in haste does', {
+test('consent holds for one model on one site, whatever links and hasty clicks try', {
   tag: '@all',
 }, async ({ page, pageProblems }) => {
   const asked: string[] = [];
@@ -207,7 +207,7 @@ test('an agreement is to one model on one site, whatever a link, its sender or a
   expect(pageProblems.splice(0).filter((problem) => !/Content Security Policy|ERR_|CORS/.test(problem))).toEqual([]);
 });
 
-test('what was asked for and did not come leaves nothing behind: no style, no axis, no picture', {
+test('a failed request leaves no style, no axis and no picture behind', {
   tag: '@all',
 }, async ({ page, pageProblems }) => {
   let release = (): void => {};
@@ -316,7 +316,7 @@ test('what was asked for and did not come leaves nothing behind: no style, no ax
   expect(pageProblems.splice(0).filter((problem) => !/ERR_FAILED/.test(problem))).toEqual([]);
 });
 
-test('a link draws the very picture of who sends it: orbited, and framed before the light was moved', {
+test("a link draws the same picture as its sender's page: orbited, and framed before the light was moved", {
   tag: '@all',
 }, async ({ page }) => {
   const sent = async (): Promise<void> => {

@@ -262,7 +262,7 @@ test.describe('<hatched-model>', () => {
     });
   });
 
-  test('bears being moved, taken out and put back, and frees the context with the last; says what is wrong, shows its poster until then, and loads what comes into view', {
+  test('can be moved, removed and added again, and frees the context with the last one; reports errors, shows its poster until then, and loads when it comes into view', {
     tag: '@all',
   }, async ({ page, pageProblems }) => {
     test.slow();

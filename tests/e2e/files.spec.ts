@@ -64,7 +64,7 @@ test('models of every format are drawn when dropped', { tag: '@more' }, async ({
   expect(meanInk(after)).toBeGreaterThan(0.02);
 });
 
-test('what a model has behind glass is drawn, and glass casts no shadow', { tag: '@all' }, async ({ page }) => {
+test('parts of a model behind glass are drawn, and glass casts no shadow', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, SMALL);
   const faces = (first: number): string =>
     BOX_FACES.map((face) => `f ${face.map((corner) => corner + first).join(' ')}`).join('\n');

@@ -32,9 +32,7 @@ test('in a frame of another page: the drawing and its lamp alone, and the wheel 
   expect(await home.getAttribute('href')).not.toContain('embed');
 });
 
-test('in a kiosk: nothing leads away, and a drawing that was left goes back to how it was', { tag: '@all' }, async ({
-  page,
-}) => {
+test('in a kiosk no link leads away, and an abandoned drawing is reset', { tag: '@all' }, async ({ page }) => {
   await page.clock.install();
   await page.goto('./?kiosk#technique=anchored&model=cube&mapSize=64&mapTones=4');
   await ready(page);

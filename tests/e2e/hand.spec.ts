@@ -59,7 +59,7 @@ const numberOf = (page: Page, label: string) =>
     .getByRole('slider', { name: label, exact: true })
     .evaluate((input: HTMLInputElement) => input.valueAsNumber);
 
-test('five strokes of a pen are a hand: the model is hatched with it, and what is learnt is shown', async ({
+test('a hand is learnt from five strokes of a pen: the model is hatched with it, and its properties are shown', async ({
   page,
 }) => {
   await openPlayground(page, PLAIN);
@@ -158,7 +158,7 @@ test('a slider of the hand changes the drawing, keeps its value when more is dra
   expect(await numberOf(page, 'Wobble')).toBeLessThan(value + 0.1);
 });
 
-test('a hand is saved as a file, which gives it back in another drawing; a bad file is refused in a sentence', {
+test('a hand is saved as a file and loaded into another drawing; a bad file is refused in a sentence', {
   tag: '@all',
 }, async ({ page }) => {
   await openPlayground(page, PLAIN);
@@ -181,7 +181,7 @@ test('a hand is saved as a file, which gives it back in another drawing; a bad f
   await expect.poll(async () => (await readDrawing(page)).data.equals(own.data)).toBe(true);
 });
 
-test('a link brings the hand along, and a reload its very strokes', { tag: '@all' }, async ({ page }) => {
+test('a link contains the hand, and a reload keeps its strokes', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, PLAIN);
   await openSheet(page);
   await drawStrokes(page, 5);
@@ -209,7 +209,7 @@ test('a link with a damaged hand is drawn without it, and says so', { tag: '@all
   await expect(page.getByRole('combobox', { name: 'Style' }).locator('option:checked')).toHaveText('Hatching');
 });
 
-test('on a small phone, a finger draws, two draw nothing, and the model stays in sight', { tag: '@all' }, async ({
+test('on a small phone one finger draws, two do not, and the model stays visible', { tag: '@all' }, async ({
   browser,
   baseURL,
 }) => {
@@ -302,7 +302,7 @@ async function scan(name: string, strokes: number) {
   return { name, mimeType: 'image/png', buffer: Buffer.from(await encodePng({ width, height, channels: 1, data })) };
 }
 
-test('the strokes of a picture become a hand; without strokes, or where it is none, a sentence says so', {
+test('a hand is learnt from the strokes of a picture; a picture without strokes and a file that is not a picture are refused in a sentence', {
   tag: '@all',
 }, async ({ page }) => {
   await openPlayground(page, PLAIN);

@@ -132,7 +132,7 @@ test("one's own model, its settings and the view survive a closed page, until th
   await expect(later.locator('#model-name')).not.toHaveText('octahedron.ply');
 });
 
-test('a look of one’s own stands beside the presets, also after a reload, and can be renamed and deleted; it stays where nothing is kept', {
+test('a look of one’s own appears beside the presets, also after a reload, and can be renamed and deleted; it works without storage', {
   tag: '@all',
 }, async ({ page }) => {
   await page.addInitScript(() => {
@@ -184,7 +184,7 @@ test('a look of one’s own stands beside the presets, also after a reload, and 
   await expect(looks.getByRole('button', { name: 'Full' })).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('a browser that keeps nothing, or has no room, says so in one sentence, once', { tag: '@all' }, async ({
+test('a browser without storage, or without room in it, is reported once, in one sentence', { tag: '@all' }, async ({
   page,
 }) => {
   await page.addInitScript(() => {

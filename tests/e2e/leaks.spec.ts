@@ -57,7 +57,7 @@ async function oneRound(page: Page): Promise<void> {
   await follow(page, 'model=cube');
 }
 
-test('what is made for models, maps, techniques, comparisons and shadows is given back', { tag: '@all' }, async ({
+test('objects made for models, maps, techniques, comparisons and shadows are freed', { tag: '@all' }, async ({
   page,
 }) => {
   await countObjects(page);

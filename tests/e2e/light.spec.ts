@@ -62,7 +62,7 @@ test('strokes and tone of a face follow the light when it is dragged', async ({ 
   await expectFaceAsReference(page, 'T');
 });
 
-test('from its first place the light goes across in front of the model, also for a hand that wavers at the edge', {
+test('the light moves across in front of the model from its first place, also if the pointer wavers at the edge', {
   tag: '@all',
 }, async ({ page }) => {
   await openPlayground(page, `${PAPER}model=cube`);
@@ -120,7 +120,7 @@ test('a second sun lightens its side, and crosses the strokes unless there is on
   expect(meanInk(crossed, RIGHT_HALF)).toBeCloseTo(meanInk(single, RIGHT_HALF), 1);
 });
 
-test('at first sight no lamp hides what it lights, on no sheet, and its label has no box', { tag: '@all' }, async ({
+test('no lamp hides its model when the page opens, on any sheet, and its label has no box', { tag: '@all' }, async ({
   page,
 }) => {
   test.slow();
@@ -287,7 +287,7 @@ test('a light that stays with the viewer is dragged where the pointer goes, and 
   expect(Math.abs(moved.y - middle.y + 50)).toBeLessThan(3);
 });
 
-test('a model goes aside for its shadow, and is in the middle again without one', { tag: '@all' }, async ({ page }) => {
+test('a model moves aside for its shadow, and returns to the middle without one', { tag: '@all' }, async ({ page }) => {
   await page.setViewportSize({ width: 840, height: 480 });
   const look = 'technique=engraved&outlines=off&model=knot&ground=shadow&lightAzimuth=-70&lightElevation=18';
   await openPlayground(page, look);

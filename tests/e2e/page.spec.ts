@@ -105,7 +105,7 @@ test('the first model is read by one worker that was begun before the page’s s
   expect(late).not.toContain('graphics');
 });
 
-test('what nobody has opened yet opens without a connection, once the page has been idle', async ({
+test('unopened parts of the page open without a connection, once the page has been idle', async ({
   page,
   pageProblems,
 }) => {
@@ -559,7 +559,7 @@ async function readLastPicture(page: Page): Promise<PNG> {
   return PNG.sync.read(picture);
 }
 
-test('what is missing at the start is said, and not covered by what goes well', { tag: '@all' }, async ({
+test('missing files at the start are reported, and later successes do not hide the report', { tag: '@all' }, async ({
   page,
   pageProblems,
 }) => {
@@ -584,7 +584,7 @@ test('what is missing at the start is said, and not covered by what goes well', 
   expect(pageProblems.splice(0).filter((problem) => !/404|model\.worker/.test(problem))).toEqual([]);
 });
 
-test('a model is drawn as ever though the worker that prepares it ends without a word', { tag: '@all' }, async ({
+test('a model is drawn although the worker that prepares it ends silently', { tag: '@all' }, async ({
   page,
   pageProblems,
 }) => {

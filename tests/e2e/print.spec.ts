@@ -72,7 +72,7 @@ function stacked(layers: readonly PNG[], paper: readonly number[]): PNG {
   return sum;
 }
 
-test('an A6 sheet measures what it should; cut to the drawing it is the same, smaller; its layers make it up', async ({
+test('an A6 sheet has its size; cut to the drawing it is the same, but smaller; its layers add up to it', async ({
   page,
 }) => {
   await openPlayground(page, `${LOOK}&pictureSize=a6&pictureDpi=150`);
@@ -130,7 +130,7 @@ test('an A6 sheet measures what it should; cut to the drawing it is the same, sm
   expect(far).toBeLessThan(0.004);
 });
 
-test('the sheet that is chosen is framed over the drawing, which is composed for it; what it frames is what is saved', {
+test('the chosen sheet is framed over the drawing, which is composed for it; the saved file is the framed part', {
   tag: '@all',
 }, async ({ page }) => {
   await openPlayground(page, 'technique=engraved&outlines=off&model=column&pictureSize=a6&pictureDpi=150');

@@ -201,7 +201,7 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   await expect(renderers(page)).toHaveValue('WebGPU, experimental');
 });
 
-test('what WebGPU lacks is drawn by WebGL, which is said beside the choice', { tag: '@all' }, async ({ page }) => {
+test('WebGL draws what WebGPU cannot, and a sentence beside the choice says so', { tag: '@all' }, async ({ page }) => {
   await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu&background=on');
   await openMore(page);
   await expect(note(page)).toHaveText('WebGL draws this, because WebGPU lacks a hatched background.');

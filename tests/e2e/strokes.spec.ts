@@ -80,7 +80,7 @@ test('lines follow the form as soon as that is baked, also where a link asks for
   }
 });
 
-test('strokes follow the form once that is baked, and the light again where they are told to', { tag: '@all' }, async ({
+test('strokes follow the form once it is baked, and the light again when it is chosen', { tag: '@all' }, async ({
   page,
 }) => {
   const view = 'model=shell&technique=anchored&mapSize=64&mapTones=4&outlines=off&lightAzimuth=30';
@@ -192,7 +192,7 @@ test('shadows of its own fall on a model, under every kind of light', { tag: '@a
   }
 });
 
-test('a model stands on its shadow or on a floor; a picture without paper keeps the shadow alone', {
+test('a model stands on its shadow or on a floor; a picture without paper keeps only the shadow', {
   tag: '@all',
 }, async ({ page }) => {
   // The whole shadow lies on the sheet: it dissolves sooner where it would leave it.

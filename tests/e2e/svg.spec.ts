@@ -83,7 +83,7 @@ function inkBox({ data, width, height }: PNG): [left: number, right: number, top
   return box;
 }
 
-test('within margins the drawing is smaller and whole; what leaves no room is refused, and what is too much is the most', {
+test('the drawing is smaller and whole within margins; margins without room are refused, and too large ones are limited', {
   tag: '@all',
 }, async ({ page }) => {
   await openPlayground(page, LINES);

@@ -109,7 +109,7 @@ test('a turntable is recorded as a video that plays', async ({ page, context }) 
   await player.close();
 });
 
-test('where no video is encoded, its frames are saved as pictures; what is lost is offered again, and Cancel leaves the drawing as it was', {
+test('frames are saved as pictures without a video encoder; a lost film is offered again, and Cancel leaves the drawing as it was', {
   tag: '@all',
 }, async ({ page }) => {
   await page.addInitScript(() => {

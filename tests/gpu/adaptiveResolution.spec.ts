@@ -67,7 +67,7 @@ test('movement is drawn at a lower pixel ratio, and rest at the full one', async
   });
 });
 
-test('fast frames stay in full resolution, and wrong options are told', { tag: '@all' }, async ({ page }) => {
+test('fast frames stay in full resolution, and wrong options are reported', { tag: '@all' }, async ({ page }) => {
   const [scale, width, messages] = await page.evaluate(async () => {
     const { THREE, AdaptiveResolution, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();

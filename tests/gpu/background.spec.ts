@@ -5,7 +5,7 @@ import { expectEqualPictures, pictureError } from './pictureError.js';
 import { test } from './toolkitPage.js';
 
 /** The ink of a background on both sides of a ball, and in its middle where the ball hides it, under lights from both sides. */
-test('a background is darker behind the lit side, lighter behind the dark one, and hidden by what is before it', async ({
+test('a background is darker behind the lit side, lighter behind the dark one, and hidden by objects before it', async ({
   page,
 }) => {
   const { sides, programs, calls } = await page.evaluate(async () => {

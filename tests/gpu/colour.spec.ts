@@ -115,7 +115,7 @@ for (const premultipliedAlpha of [false, true]) {
   });
 }
 
-test('without paper, blank places show what is behind, and full ink covers it', async ({ page }) => {
+test('without paper, blank places show objects behind, and full ink covers them', async ({ page }) => {
   const [lit, dark, opaque] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
     const show = async (intensity: number, transparent: boolean) =>

@@ -58,7 +58,7 @@ test('a material without parameters draws a pen drawing in any units, on paper t
   expect(Math.max(...inks) - Math.min(...inks)).toBeLessThan(0.03);
 });
 
-test('a preset by its name draws what its parameters draw, and one map of a style serves all materials', async ({
+test('a preset by its name draws the same as its parameters, and one map of a style serves all materials', async ({
   page,
 }) => {
   const outcome = await page.evaluate(async () => {

@@ -296,7 +296,7 @@ test('meshes that share a geometry and a material each have a pose of their own'
   expect(difference(apart!, together!)).toBe(0);
 });
 
-test('the shadow of what deforms moves with it', async ({ page }) => {
+test('the shadow of a deforming mesh moves with it', async ({ page }) => {
   const [straight, bent] = await page.evaluate(async () => {
     const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap, sceneOf, sun, pixelsOf, makeRenderer } =
       window.toolkit;

@@ -4,7 +4,7 @@ import { test } from './deformingPage.js';
 import { covered, difference, differing } from './pixels.js';
 import { kindsOfTechnique } from './techniques.js';
 
-test('the pre-pass runs once for a pose, whatever is drawn how often, and leaves the renderer as it was', async ({
+test('the pre-pass runs once for a pose, however often meshes are drawn, and leaves the renderer as it was', async ({
   page,
 }) => {
   const result = await page.evaluate(async () => {
@@ -113,7 +113,7 @@ test('the pre-pass runs once for a pose, whatever is drawn how often, and leaves
   });
 });
 
-test('a device without float targets moves what deforms, hatched as at rest, and says so, once', async ({
+test('a device without float targets draws deforming meshes with strokes as at rest, and reports it once', async ({
   page,
   pageProblems,
 }) => {

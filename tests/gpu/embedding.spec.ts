@@ -102,7 +102,7 @@ test('a BatchedMesh gives the pixels of separate meshes', async ({ page }) => {
   expect(differing(separate, batched, 8)).toBeLessThan(0.01 * covered(separate));
 });
 
-test('does not receive a shadow it is told not to', async ({ page }) => {
+test('does not receive shadows without receiveShadow', async ({ page }) => {
   const pixels = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
     const floor = await hatchedMesh(new THREE.PlaneGeometry(3, 3));

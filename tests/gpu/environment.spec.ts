@@ -263,7 +263,7 @@ test('after compileAsync the first frame in an environment links no program', { 
   expect(pageProblems.splice(0).filter((problem) => !problem.includes('KHR_parallel_shader_compile'))).toEqual([]);
 });
 
-test('an environment is there again after a lost context came back, and what was blurred before is left alone', {
+test('an environment is blurred again after a lost context, and its former blur is not touched', {
   tag: '@all',
 }, async ({ page, pageProblems }) => {
   const [before, after] = await page.evaluate(async () => {

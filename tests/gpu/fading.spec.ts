@@ -72,7 +72,7 @@ test('a scene that is deep fades by itself, another one does not', async ({ page
   expect(ink.flat).toBe(ink.flatEven);
 });
 
-test('what matters less is drawn with less, outlines included, and what does not matter is blank paper that hides what is behind', {
+test('objects of less importance are drawn lighter, outlines included, and those of importance 0 are blank paper that hides objects behind', {
   tag: '@all',
 }, async ({ page }) => {
   const drawn = await page.evaluate(async () => {

@@ -49,7 +49,7 @@ test('the mean darkness is the tone, at every distance between octaves and far a
   for (const error of errors) expect(error).toBeLessThan(0.005);
 });
 
-test('a seam shows nowhere: neither in lines of any octave nor in what the hand does to them', async ({ page }) => {
+test('seams are invisible, in lines of any octave and in their variation by the hand', async ({ page }) => {
   const worst = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene, lookFrom } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;

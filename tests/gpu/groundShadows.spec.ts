@@ -112,7 +112,7 @@ test('a shadow that dissolves has the tone that is left of it with all media', a
   }
 });
 
-test('lines of a woodcut end in points at the soft edge of a shadow: nothing stands alone there', async ({ page }) => {
+test('lines of a woodcut end in points at the soft edge of a shadow, without isolated pieces', async ({ page }) => {
   const pieces = await page.evaluate(async () => {
     const { SIZE, lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
     const light = casting(await lightOf('directional'), 1);

@@ -8,7 +8,7 @@ test.beforeEach(async ({ page }) => {
   await page.waitForFunction(() => window.lining !== undefined);
 });
 
-test('the three hidden edges of a cube are dashed from corner to corner, or faint; what is seen stays as it is', async ({
+test('the three hidden edges of a cube are dashed from corner to corner, or faint; visible edges do not change', async ({
   page,
 }) => {
   const found = await page.evaluate(async () => {

@@ -55,7 +55,7 @@ test('several materials and a plain one share a scene', async ({ page }) => {
   expect(at(pixels, 71, 48)).toEqual([0, 0, 255]);
 });
 
-test('dispose gives everything back', async ({ page }) => {
+test('dispose frees all GPU objects', async ({ page }) => {
   const [during, after] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
     const renderer = makeRenderer();

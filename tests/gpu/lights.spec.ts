@@ -102,7 +102,7 @@ test('compileAsync prepares a number of lights before they are switched on', asy
   expect(pageProblems.splice(0).filter((problem) => !problem.includes('KHR_parallel_shader_compile'))).toEqual([]);
 });
 
-test('a light probe is light from all around; a rectangular light gives none, and does no harm', async ({ page }) => {
+test('a light probe lights from all around; a rectangular light gives no light, and no error', async ({ page }) => {
   const [dark, rectangular, probe] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, pixelsOf } = window.toolkit;
     const wall = await hatchedMesh(new THREE.PlaneGeometry(2, 2));

@@ -60,7 +60,7 @@ for (const technique of techniques) {
   });
 }
 
-test('colour of the material, its map and its vertices count together, and what the surface gives off against them', async ({
+test('colours of the material, its map and its vertices multiply, and emitted light counts against them', async ({
   page,
 }) => {
   const shown = await page.evaluate(async () => {

@@ -13,9 +13,7 @@ const MEDIA = [
   { tooth: 0.5, toothSize: 2.5, softness: 1, smudge: 1 },
 ];
 
-test('what a dry medium leaves is the tone in the mean, and at middle tones mostly grey', async ({
-  page,
-}, testInfo) => {
+test('the mean ink of a dry medium is the tone, and mostly grey at middle tones', async ({ page }, testInfo) => {
   const found = await page.evaluate(async (media) => {
     const { THREE, TonalArtMap, hatchedMesh, makeRenderer, sceneOf, sun } = window.toolkit;
     const side = 256;

@@ -3,7 +3,7 @@ import { test } from './toolkitPage.js';
 
 /** Warnings on the first draw with a real renderer; tests/unit/material/firstDraw has all of them. */
 
-test('an ordinary scene is drawn without a word, and mistakes are said once, whatever is drawn after', async ({
+test('an ordinary scene is drawn without warnings, and mistakes are reported once, whatever is drawn afterwards', async ({
   page,
   pageProblems,
 }) => {

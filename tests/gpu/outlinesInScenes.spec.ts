@@ -438,7 +438,7 @@ test('there is an outline between the groups of a mesh with several materials, a
   expect(inks[1]).toBeGreaterThan(0.5);
 });
 
-test('the hand that strays belongs to the object: its outlines move no more than the outlines themselves', {
+test('wobble is fixed to the object: wobbling outlines move no more than plain ones', {
   tag: '@all',
 }, async ({ page }) => {
   const { strays, moved } = await page.evaluate(async () => {

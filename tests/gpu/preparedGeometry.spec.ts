@@ -89,7 +89,7 @@ test('geometry that is moved after the bake is named, once, with the remedy', as
   expect(problems[4]).toContain("geometry.deleteAttribute('hatchNormal')");
 });
 
-test('geometry without its adjacency is told what to do', async ({ page, pageProblems }) => {
+test('geometry without its adjacency is reported with its remedy', async ({ page, pageProblems }) => {
   const merged = await page.evaluate(async () => {
     const { THREE, mergeGeometries, prepareHatchingGeometry, hatchedMesh, greyMap, HatchingMaterial, sceneOf, sun } =
       window.toolkit;
@@ -135,7 +135,7 @@ test('geometry without its adjacency is told what to do', async ({ page, pagePro
   expect(problems[1]).toContain(remedy);
 });
 
-test('GLTFExporter writes the scene after restore(); what it writes of hatched meshes can be hatched again', async ({
+test('GLTFExporter writes the scene after restore(); exported hatched meshes can be hatched again', async ({
   page,
   pageProblems,
 }) => {

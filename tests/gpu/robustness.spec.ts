@@ -45,7 +45,7 @@ test('a tone curve that rounds to more than 1 prints full ink', { tag: '@all' },
   }
 });
 
-test('what is set after a frame shows in the next: maps, vertex colours, sides, channels', async ({ page }) => {
+test('changes after a frame show in the next: maps, vertex colours, sides, channels', async ({ page }) => {
   const shown = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer, SIZE } = window.toolkit;
     const geometry = new THREE.PlaneGeometry(2, 2);

@@ -187,7 +187,7 @@ test(
   },
 );
 
-test('as the tone deepens dots crowd and shrink, and from 0.95 on nothing is left between them', {
+test('dots crowd and shrink as the tone deepens, and from 0.95 on leave no paper', {
   tag: '@all',
 }, async ({ page }) => {
   const found = await page.evaluate((walls) => {

@@ -54,7 +54,7 @@ test('strokes of a picture, and the hand learnt from them, are the same from the
   expect(Math.abs(numbers.spacing / (30 * Math.cos(Math.atan2(60, 160))) - 1)).toBeLessThan(0.1);
 });
 
-test('though worker after worker dies midway, the geometry has the same bytes, and the deaths are told', {
+test('the geometry has the same bytes though worker after worker dies midway, and the deaths are reported', {
   tag: '@all',
 }, async ({ page, pageProblems }) => {
   const { before, after, expected, died } = await page.evaluate(() => window.workerTests.death());
