@@ -12,22 +12,22 @@ import { sameValue } from './sameValue.js';
 import { WantedMap } from './sharedMaps.js';
 
 /** Hides meshes for a while by removing them from all layers. Properties that React sets, such as `visible`, stay. */
-class Veil {
+class HiddenMeshes {
   private readonly masks = new Map<Object3D, number>();
 
-  cover(object: Object3D): void {
+  hide(object: Object3D): void {
     if (this.masks.has(object)) return;
     this.masks.set(object, object.layers.mask);
     object.layers.mask = 0;
   }
 
   /** Hides the outlines of a mesh whose geometry has changed. Outlines of a hidden mesh are hidden with it. */
-  coverOutlines({ children }: Mesh): void {
-    for (const child of children) if (isOutlines(child) && child.layers.mask !== 0) this.cover(child);
+  hideOutlines({ children }: Mesh): void {
+    for (const child of children) if (isOutlines(child) && child.layers.mask !== 0) this.hide(child);
   }
 
   /** Shows all meshes again, and then their outlines, which follow the layers of the meshes. */
-  lift(): void {
+  showAll(): void {
     for (const isLater of [false, true])
       for (const [object, mask] of this.masks) if (isOutlines(object) === isLater) object.layers.mask = mask;
     this.masks.clear();
@@ -61,7 +61,7 @@ export class Hatcher {
   private releaseMap = (): void => {};
   private readonly snapshot = new SceneSnapshot();
   private readonly abort = new AbortController();
-  private readonly veil = new Veil();
+  private readonly hidden = new HiddenMeshes();
   private isBusy = false;
 
   /**
@@ -90,14 +90,14 @@ export class Hatcher {
     this.hatched?.follow();
     if (!this.wanted || !this.snapshot.differs(this.root)) return;
     // A change during the work is hatched right after it.
-    if (this.isBusy) this.coverUnhatched(this.wanted);
+    if (this.isBusy) this.hideUnhatched(this.wanted);
     else this.bringUpToDate();
   }
 
   /** Restores the former look of the scene, and frees all memory. */
   dispose(): void {
     this.abort.abort();
-    this.veil.lift();
+    this.hidden.showAll();
     this.hatched?.dispose();
     this.hatched = undefined;
     this.releaseMap();
@@ -112,7 +112,7 @@ export class Hatcher {
     } catch (error) {
       // With this snapshot there is no further attempt before something changes.
       this.snapshot.take(this.root);
-      this.veil.lift();
+      this.hidden.showAll();
       if (!signal.aborted) this.events.onError(error);
     } finally {
       this.isBusy = false;
@@ -126,7 +126,7 @@ export class Hatcher {
   private async take(wanted: ApplyHatchingOptions): Promise<void> {
     this.tried = wanted;
     const options = resolve(wanted);
-    this.coverUnhatched(options);
+    this.hideUnhatched(options);
     const map = new WantedMap(options);
     try {
       if (this.drawsWithMap(options)) await map.take();
@@ -186,7 +186,7 @@ export class Hatcher {
       hatched.skipped.some(({ mesh, error }) => error && this.snapshot.looksOtherwise(mesh));
     // If the snapshot is unchanged, the caller sees the change, and hatches the scene again.
     if (!hasChanged) this.snapshot.take(this.root);
-    this.veil.lift();
+    this.hidden.showAll();
   }
 
   /** Accepts geometries that the hatched scene has set on meshes. */
@@ -195,11 +195,11 @@ export class Hatcher {
     this.events.invalidate();
   }
 
-  private coverUnhatched({ filter = () => true }: ApplyHatchingOptions): void {
+  private hideUnhatched({ filter = () => true }: ApplyHatchingOptions): void {
     for (const mesh of meshesOf(this.root)) {
       if (!this.snapshot.looksOtherwise(mesh) || !filter(mesh)) continue;
-      if (this.hatched) this.veil.coverOutlines(mesh);
-      if (!this.showsUnhatched && !('isHatchingMaterial' in mesh.material)) this.veil.cover(mesh);
+      if (this.hatched) this.hidden.hideOutlines(mesh);
+      if (!this.showsUnhatched && !('isHatchingMaterial' in mesh.material)) this.hidden.hide(mesh);
     }
   }
 }
