@@ -15,7 +15,6 @@ import { loseEdges, type SeenOutline } from './outlines/loseEdges.js';
 import { outlineChains } from './outlines/outlineChains.js';
 import { hiddenLook, outlinePieces, weighHidden } from './outlines/outlinePieces.js';
 import { cutTest, outlineTest, weighByHierarchy } from './outlines/seenOutlines.js';
-import { cutTest, outlineTest, weighByHierarchy } from './outlines/seenOutlines.js';
 import type { Projection } from './Projection.js';
 import { type Clip, isClipped } from './paint/PaintLook.js';
 import { PlaceReader } from './paint/PlaceReader.js';

@@ -9,7 +9,21 @@ import { isClipped } from './paint/PaintLook.js';
 import { PlaceReader } from './paint/PlaceReader.js';
 import type { Translucency } from './paint/Translucency.js';
 import { type ScreenMap, screenGradient, screenMap } from './shading/screenGradient.js';
-import { coverOf, type DotPlane, type DotSize, directionOfNeedles, dotArea, dotOctave, grownBy, inLayer, layerTones, ownCover, planesNear, roundScreenMap, setShift } from './shading/stipple.js';
+import {
+  coverOf,
+  type DotPlane,
+  type DotSize,
+  directionOfNeedles,
+  dotArea,
+  dotOctave,
+  grownBy,
+  inLayer,
+  layerTones,
+  ownCover,
+  planesNear,
+  roundScreenMap,
+  setShift,
+} from './shading/stipple.js';
 import { subdivide } from './subdivide.js';
 import { ToneReader } from './ToneReader.js';
 import { seenSides } from './traceFamily.js';

@@ -1,5 +1,5 @@
 import { mat4 } from 'gl-matrix';
-import { STIPPLE_CONSTANTS } from '../../src/look/constants/stippleConstants.js';
+import { STIPPLE_CONSTANTS } from '../../src/look/constants/patternConstants.js';
 import { dot, normalize, timesVector, type Vec3 } from '../../src/look/vectors.js';
 import { STIPPLE_MAP_SIZE } from '../../src/material/tam/patternSizes.js';
 import { stippleMap } from '../../src/material/tam/stippleMap.js';

@@ -1,7 +1,7 @@
 import { placeStrokes } from '../../src/strokes/placeStrokes.js';
 import { rasterizeStroke } from '../../src/strokes/rasterizeStroke.js';
-import type { HatchImages } from '../../src/strokes/tamImages/HatchImages.js';
 import { type MapRequest, resolveHatchImageOptions } from '../../src/strokes/tamImages/generateHatchImages.js';
+import type { HatchImages } from '../../src/strokes/tamImages/HatchImages.js';
 
 /**
  * The hatch images of `options` with every stroke `factor` times as wide and otherwise the same. The generator itself

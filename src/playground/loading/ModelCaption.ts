@@ -1,6 +1,6 @@
-import { element } from '../page/elements.js';
 import type { ModelStatistics } from '../../viewer/drawing/statistics.js';
 import { shownName, shownText } from '../../viewer/files/common/ModelError.js';
+import { element } from '../page/elements.js';
 
 /** The maximum length of notes in the caption. Its button shows the rest. */
 const MAX_NOTES = 100;

@@ -1,5 +1,5 @@
-import { element } from '../page/elements.js';
 import { shownName } from '../../viewer/files/common/ModelError.js';
+import { element } from '../page/elements.js';
 import { describeAddress } from './fetchModel.js';
 
 /** The first answer is disabled for this long, in milliseconds, so that a click meant for something else agrees to nothing. */

@@ -1,5 +1,5 @@
-import { element, findElement, textButton } from '../page/elements.js';
 import { shownName } from '../../viewer/files/common/ModelError.js';
+import { element, findElement, textButton } from '../page/elements.js';
 import type { NamedItem, NamedList } from './SavedViews.js';
 
 /** The part of a list that a bar shows. */

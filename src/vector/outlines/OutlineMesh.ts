@@ -1,8 +1,8 @@
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 import type { Vec3 } from '../../look/vectors.js';
 import type { Matrix } from '../Projection.js';
-import type { LiftedPiece } from '../shading/outlines.js';
 import type { ObjectFading } from '../shading/fading.js';
+import type { LiftedPiece } from '../shading/outlines.js';
 
 /** The mesh whose outlines are drawn. */
 export interface OutlineMesh {

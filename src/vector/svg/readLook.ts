@@ -1,4 +1,13 @@
-import { type IUniform, type Mesh, type Vector2, type Camera, type Material, type Object3D, Vector3, Vector4 } from 'three';
+import {
+  type Camera,
+  type IUniform,
+  type Material,
+  type Mesh,
+  type Object3D,
+  type Vector2,
+  Vector3,
+  Vector4,
+} from 'three';
 import { resolveLook } from '../../look/queries.js';
 import { luminanceOf } from '../../look/vectors.js';
 import { isFitted } from '../../material/exposure/isFitted.js';

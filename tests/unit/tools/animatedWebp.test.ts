@@ -49,7 +49,9 @@ test('still pictures become frames of one that moves', () => {
       ['VP8L', [5, 6]],
     ],
   ]);
-  expect(() => animatedWebp([Buffer.from('a PNG image')], { width: 1, height: 1, milliseconds: 1 })).toThrow('not a WebP');
+  expect(() => animatedWebp([Buffer.from('a PNG image')], { width: 1, height: 1, milliseconds: 1 })).toThrow(
+    'not a WebP',
+  );
 });
 
 test('the picture at the top of the README moves and weighs at most 1.5 MB', () => {

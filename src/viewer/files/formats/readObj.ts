@@ -6,7 +6,6 @@ import { baseName } from '../common/ModelFile.js';
 import type { FindFile } from '../common/Surroundings.js';
 import { withFakeDocument } from '../scenes/fakeDocument.js';
 import { DISPLACEMENT_NOTE, type LoadedScene } from '../scenes/LoadedScene.js';
-import { withFakeDocument } from '../scenes/fakeDocument.js';
 import { writeFaces } from './writeFaces.js';
 
 /** Reads an OBJ file, with the materials of its MTL files if they were dropped along. */

@@ -10,8 +10,8 @@ import type { PictureLink } from '../pictures/meshPictures.js';
  * @param parse must be synchronous
  * @param Parser of XML
  */
-<export function withFakeDocument<Result>(parse: () => Result, Parser: new () => XmlParser = XmlParser): Result {
->  const blobs = new Map<string, Blob>();
+export function withFakeDocument<Result>(parse: () => Result, Parser: new () => XmlParser = XmlParser): Result {
+  const blobs = new Map<string, Blob>();
   const link = (url: string): PictureLink => ({ url, content: blobs.get(url), width: 1, height: 1 });
   // A page's own window cannot be replaced.
   const isPage = 'window' in globalThis;

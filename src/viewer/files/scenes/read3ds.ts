@@ -10,7 +10,6 @@ import { TDSLoader } from 'three/addons/loaders/TDSLoader.js';
 import { ModelError } from '../common/ModelError.js';
 import { withFakeDocument } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withFakeDocument } from './fakeDocument.js';
 
 /** Reads a 3DS file. @throws ModelError if it is damaged; Error of the loader */
 export function read3ds(bytes: Uint8Array, name: string): LoadedScene {

@@ -6,7 +6,6 @@ import { counted, ModelError } from '../common/ModelError.js';
 import { unzip } from '../readArchive.js';
 import { withFakeDocument, type XmlElement, XmlParser } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withFakeDocument, type XmlElement, XmlParser } from './fakeDocument.js';
 
 /** Reads a 3MF file. @throws ModelError if it is damaged; Error of the loader */
 export async function read3mf(bytes: Uint8Array, name: string): Promise<LoadedScene> {

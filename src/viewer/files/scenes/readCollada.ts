@@ -3,7 +3,6 @@ import { ColladaLoader } from 'three/addons/loaders/ColladaLoader.js';
 import { triangulatePolygon } from '../mesh/triangulatePolygon.js';
 import { withFakeDocument, XmlElement, XmlParser } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withFakeDocument, XmlElement, XmlParser } from './fakeDocument.js';
 
 /** Reads a COLLADA file (DAE), with its clips. @throws Error of the loader */
 export function readCollada(bytes: Uint8Array, name: string): LoadedScene {

@@ -2,7 +2,6 @@ import { FBXLoader } from 'three/addons/loaders/FBXLoader.js';
 import { ModelError } from '../common/ModelError.js';
 import { withFakeDocument } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
-import { withFakeDocument } from './fakeDocument.js';
 
 /** The number of bytes that are searched for the version. */
 const HEAD_BYTES = 65536;

@@ -3,8 +3,6 @@ import { USDLoader } from 'three/addons/loaders/USDLoader.js';
 import { replace, withFakeDocument } from './fakeDocument.js';
 import { DISPLACEMENT_NOTE, type LoadedScene, sceneOf } from './LoadedScene.js';
 import { repairFans } from './repairFans.js';
-import { mendFans } from './mendFans.js';
-import { replace, withFakeDocument } from './fakeDocument.js';
 
 const SIGNATURE = '#usda';
 

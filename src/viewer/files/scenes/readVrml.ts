@@ -4,8 +4,6 @@ import { ModelError } from '../common/ModelError.js';
 import { withFakeDocument } from './fakeDocument.js';
 import { type LoadedScene, sceneOf } from './LoadedScene.js';
 import { repairFans } from './repairFans.js';
-import { mendFans } from './mendFans.js';
-import { withFakeDocument } from './fakeDocument.js';
 
 /** Reads a VRML 2 file. @throws ModelError if it contains unsupported nodes; Error of the loader */
 export function readVrml(bytes: Uint8Array, name: string): LoadedScene {

@@ -1,12 +1,18 @@
 import type { NodeBuilder } from 'three/webgpu';
 import { STIPPLE_CONSTANTS } from '../../../look/constants/patternConstants.js';
-import { hatchingUniform, blankDots, hatchingTexture } from '../base/uniforms.js';
 import { STIPPLE_MAP_SIZE } from '../../../material/tam/patternSizes.js';
 import { isOrthographic, largestComponents } from '../base/maths.js';
+import { blankDots, hatchingTexture, hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { readViewToAnchor } from '../chunks/anchor.js';
 import { anyTangent } from '../chunks/lightOrientation.js';
-import { centreOfScreen, type ScreenMap, screenGradient, screenMapOf, viewUnitsPerPixel } from '../chunks/screenGradient.js';
+import {
+  centreOfScreen,
+  type ScreenMap,
+  screenGradient,
+  screenMapOf,
+  viewUnitsPerPixel,
+} from '../chunks/screenGradient.js';
 import { tilesPerUnit } from '../chunks/thresholdMap.js';
 import type { HatchingParameters } from './read.js';
 

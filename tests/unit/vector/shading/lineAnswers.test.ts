@@ -313,8 +313,8 @@ const turned = (angle: number, side: 'B' | 'C') => ({ cosine: Math.cos(angle), s
 answers(
   'readCut',
   (normal: Vec3) => {
-    const { slope, has, shareB } = readCut(X_PLANES, [0.2, 0.3, 0.4], normalize(normal), 0);
-    return [slope, has, shareB];
+    const { slope, firstShare, shareB } = readCut(X_PLANES, [0.2, 0.3, 0.4], normalize(normal), 0);
+    return [slope, firstShare, shareB];
   },
   `
   [0, 0, 1] → [1, 1, 0]

@@ -1,13 +1,11 @@
 import { Color } from 'three';
 import { describe, expect, test } from 'vitest';
-import { plainValue } from '../../../../src/look/defaultOf.js';
 import { HATCHING_DEFAULTS, type HatchingPropertyName } from '../../../../src/look/hatchingProperties.js';
+import { plainValue } from '../../../../src/look/presetParameters.js';
 import { HATCHING_BACKGROUND_DEFAULTS } from '../../../../src/material/backgroundProperties.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HATCHING_OUTLINE_DEFAULTS } from '../../../../src/material/outlines/outlineProperties.js';
-import { engravedHand } from '../../../../src/strokes/hand/engravedHand.js';
-import type { Hand } from '../../../../src/strokes/hand/Hand.js';
-import { HAND_NUMBER_RANGES } from '../../../../src/strokes/hand/handNumbers.js';
+import { engravedHand, HAND_NUMBER_RANGES, type Hand } from '../../../../src/strokes/hand/Hand.js';
 import { resolveMapDrawing } from '../../../../src/strokes/tamImages/hatchImageOptions.js';
 import { parameterSetter } from '../../../../src/viewer/drawing/materials.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';

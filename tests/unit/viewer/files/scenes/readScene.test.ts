@@ -2,7 +2,6 @@ import { PNG } from 'pngjs';
 import { FileLoader, ImageLoader, TextureLoader } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { withFakeDocument, XmlParser } from '../../../../../src/viewer/files/scenes/fakeDocument.js';
-import { withFakeDocument, XmlParser } from '../../../../../src/viewer/files/scenes/fakeDocument.js';
 import {
   type Content,
   colorsOf,
