@@ -17,7 +17,7 @@ export abstract class PropertyFields extends ShaderMaterial {
    */
   extent: SceneExtent | null = null;
   protected focused: Vector3 | null = null;
-  protected hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
+  protected chosenMap: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
   /**
    * The numbers that were set; the others have the technique's defaults. They are in a Map, because V8 allocates a number whenever it
    * is read from a field by a computed name, which here would be every frame.

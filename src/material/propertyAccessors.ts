@@ -16,7 +16,7 @@ import { toPoint } from './vectorValues.js';
 interface PropertyHolder {
   readonly technique: HatchingTechnique;
   focused: Vector3 | null;
-  hatchImages: HatchingMap;
+  chosenMap: HatchingMap;
   readonly numbers: Map<HatchingPropertyName, number | 'auto' | null>;
   choice(name: HatchingPropertyName): string | boolean;
   choose(name: HatchingPropertyName, value: string | boolean): void;
@@ -28,10 +28,10 @@ export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & Thi
   if (property.kind === 'tonalArtMap')
     return {
       get() {
-        return this.hatchImages;
+        return this.chosenMap;
       },
       set(value) {
-        this.hatchImages = checkHatchingMap(value);
+        this.chosenMap = checkHatchingMap(value);
       },
     };
   if (property.kind === 'point')

@@ -114,7 +114,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   extent: SceneExtent | null = null;
 
   protected focused: HatchingMaterialProperties['focus'] = null;
-  protected hatchImages: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
+  protected chosenMap: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
   protected numbers = new Map<HatchingPropertyName, number | 'auto' | null>();
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
     technique: HATCHING_DEFAULTS.technique,

@@ -49,7 +49,7 @@ export async function drawerOfNodes(
   const renderer = new WebGPURenderer({ antialias: false, forceWebGL: drawn === 'forceWebGL', ...keeping(depth) });
   await renderer.init();
   const { isWebGPUBackend = false } = renderer.backend as { isWebGPUBackend?: boolean };
-  if (isWebGPUBackend !== (drawn === 'webgpu')) throw new Error(`drawerOfNodes: three.js has not taken ${drawn}.`);
+  if (isWebGPUBackend !== (drawn === 'webgpu')) throw new Error(`drawerOfNodes: three.js has not chosen ${drawn}.`);
   renderer.setSize(size, size, false);
   const target = new RenderTarget(size, size);
   return {
