@@ -1,3 +1,4 @@
+/** Limits of the device, and warnings about them. */
 import { type BufferGeometry, type InstancedMesh, Material, type SkinnedMesh, Texture } from 'three';
 import type { NodeBuilder, WebGPURenderer } from 'three/webgpu';
 import { warn } from '../material/diagnostics/warn.js';

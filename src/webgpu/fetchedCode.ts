@@ -1,3 +1,4 @@
+/** Code that is fetched when a material first needs it: patterns of media, and the fit of the exposure. */
 import type { Camera, DataTexture, IUniform, Scene, WebGLRenderer } from 'three';
 import { isFitted } from '../material/exposure/isFitted.js';
 import { writeFit } from '../material/exposure/ToneFit.js';

@@ -74,7 +74,7 @@ const MOST_BYTES = [
   ['drawSVG', 'three-hatching/svg', 50_300],
 ] as const;
 
-/** The same of a page that draws with WebGPURenderer. */
+/** The same bytes of pages that draw with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
   ['HatchingNodeMaterial', 37_000],
   ['HatchingNodeMaterial, applyHatching', 45_000],

@@ -1,3 +1,4 @@
+/** Layers of strokes that cross. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type Input, tsl, type Value } from '../base/values.js';

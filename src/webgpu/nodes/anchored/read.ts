@@ -1,3 +1,4 @@
+/** The directions of strokes at a fragment. */
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { isInFullShadow, type ReceivedShadow } from '../base/lights.js';

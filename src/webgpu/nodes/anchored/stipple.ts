@@ -1,3 +1,4 @@
+/** Dots, which are loaded when a material first draws with them. */
 import type { NodeBuilder } from 'three/webgpu';
 import { STIPPLE_CONSTANTS } from '../../../look/constants/patternConstants.js';
 import { STIPPLE_MAP_SIZE } from '../../../material/tam/patternSizes.js';

@@ -1,3 +1,4 @@
+/** Strokes read from a tonal art map, anchored at the points of a lattice. */
 import type { Medium } from '../../../look/hatchingProperties.js';
 import { largestComponents } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';

@@ -1,3 +1,4 @@
+/** The scene's lights and the shadows that they cast, as values at a fragment or a vertex. */
 import { Color, type HemisphereLight, type Light, type PointLight, type SpotLight, Vector3 } from 'three';
 import type { LightsNode, NodeBuilder } from 'three/webgpu';
 import { lightLuminance } from './maths.js';

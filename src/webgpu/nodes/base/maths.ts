@@ -1,9 +1,8 @@
+/** Matrices, and small functions that several chunks share. */
 import { type Input, tsl, type Value } from './values.js';
 
 const { clamp, cross, dot, exp, float, inverseSqrt, mat3, max, min, screenCoordinate, screenSize, select } = tsl;
 const { step, transpose, vec2, vec3 } = tsl;
-
-/** 3 × 3 matrices, for functions that WGSL lacks. */
 
 /** The linear part of a 4 × 4 matrix. */
 export const linearPart = (matrix: Value): Value =>

@@ -1,3 +1,4 @@
+/** Uniforms and textures of the material that is being drawn, as nodes. */
 import {
   DataTexture,
   FloatType,

@@ -1,3 +1,4 @@
+/** The space that strokes are anchored in: the object at rest, or deformed. */
 import type { BufferGeometry } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { identity, inverseOf } from '../base/maths.js';

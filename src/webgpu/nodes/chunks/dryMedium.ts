@@ -1,3 +1,4 @@
+/** Pencil, charcoal and chalk on the tooth of paper. */
 import { TOOTH_MAP_BUMP, TOOTH_MAP_SIZE } from '../../../material/tam/patternSizes.js';
 import { normalDistribution } from '../base/maths.js';
 import { blankTooth, hatchingTexture, hatchingUniform } from '../base/uniforms.js';

@@ -1,3 +1,4 @@
+/** Baked ambient occlusion, from the attribute to the light that it takes. */
 import type { BufferGeometry } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';

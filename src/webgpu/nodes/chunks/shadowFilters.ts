@@ -1,3 +1,4 @@
+/** Filters of shadow maps without noise. */
 import type { LightShadow, Texture } from 'three';
 import { SHADOW_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { threeNodes, tsl, type Value } from '../base/values.js';

@@ -1,3 +1,4 @@
+/** Shadows that widen and dissolve with the distance from what casts them. */
 import type { Light, LightShadow } from 'three';
 import { SHADOW_CONSTANTS, SHADOW_SAMPLES } from '../../../look/constants/shadingConstants.js';
 import { hasPlace, valuesFor } from '../base/lights.js';

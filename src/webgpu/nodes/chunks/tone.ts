@@ -1,3 +1,4 @@
+/** From radiance and colour of a surface to its tone. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { TONE_CURVE_SPANS } from '../../../material/fitToneCurve.js';
 import { TONE_CURVES } from '../../../material/shaders/shaderConventions.js';

@@ -1,3 +1,4 @@
+/** The vertex as three.js moves it: by bones, morph targets and instances. */
 import type { BufferGeometry, InstancedMesh, Object3D, SkinnedMesh, Texture } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { batchMatrices } from '../../../material/three/privateData.js';

@@ -1,3 +1,4 @@
+/** The functions whose level sets are engraved lines, and the varyings that they need. */
 import type { Light } from 'three';
 import { FIELD_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { formLayout } from '../../../mesh/bake/attributeLayouts.js';

@@ -1,3 +1,4 @@
+/** The families of lines at a fragment, from a field in space or from the form. */
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { FIELD_CONSTANTS, FORM_CONSTANTS, HAND_CONSTANTS } from '../../../look/constants/engravedConstants.js';

@@ -1,3 +1,4 @@
+/** Spacing of lines in octaves, and the strokes that lines are drawn in. */
 import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';

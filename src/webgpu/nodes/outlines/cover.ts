@@ -1,3 +1,4 @@
+/** The screen triangle of a piece of outline: its width, its depth, and its place. */
 import type { NodeBuilder } from 'three/webgpu';
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { isOrthographic } from '../base/maths.js';

@@ -1,3 +1,4 @@
+/** The ink of outlines at a fragment: visible or hidden, by pen or by a dry medium, with an unsteady hand. */
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { lineCoverage, normalDistribution, pixelFromBelow } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';

@@ -1,3 +1,4 @@
+/** The nodes of an outline material: vertices, colour, clipping and depth. */
 import type { Vector4 } from 'three';
 import type { Node, NodeBuilder } from 'three/webgpu';
 import { lightsOf } from '../base/lights.js';

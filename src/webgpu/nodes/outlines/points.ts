@@ -1,3 +1,4 @@
+/** Outline primitives and their end points, read from textures. */
 import { IS_EDGE, POINT_BITS, POINT_MASK } from '../../../mesh/bake/outlineLayout.js';
 import { identity } from '../base/maths.js';
 import { blankFloats, blankIntegers, blankPoses, hatchingTexture, hatchingUniform, texelOf } from '../base/uniforms.js';

@@ -1,3 +1,4 @@
+/** Deformed vertices: the pass that writes them, and rotations as quaternions. */
 import type { BufferGeometry } from 'three';
 import type { Node } from 'three/webgpu';
 import { blankIntegers, hatchingTexture, hatchingUniform, texelOf } from '../base/uniforms.js';
