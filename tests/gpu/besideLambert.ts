@@ -1,6 +1,6 @@
 /**
- * What three.js offers, each feature in a scene of its own that is drawn twice: with `HatchingMaterial` and with three's
- * `MeshLambertMaterial`. Light is compared as tone (`debugView: 'tone'`), what colours and cuts as blank paper.
+ * Features of three.js, each in its own scene, which is drawn twice: with `HatchingMaterial` and with three's `MeshLambertMaterial`.
+ * Light is compared as tone (`debugView: 'tone'`), colours and cut-outs as blank paper.
  */
 import './quickBlur.js';
 import * as THREE from 'three';

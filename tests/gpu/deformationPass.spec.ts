@@ -370,7 +370,7 @@ for (const technique of kindsOfTechnique) {
         const compiled = renderer.info.programs!.length;
         const first = pixelsOf(scene, renderer);
         counts[name] = [compiled, renderer.info.programs!.length];
-        // What was prepared early is drawn anew in the pose of the frame.
+        // Early pre-passes are drawn anew in the pose of the frame.
         const again = pixelsOf(scene, renderer);
         const fresh = pixelsOf(scene);
         counts[name].push(first.filter((x, i) => x !== again[i] || x !== fresh[i]).length);

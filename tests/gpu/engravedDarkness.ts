@@ -21,7 +21,7 @@ import type { DarknessOf } from './referenceCase.js';
 const DIRECTED: readonly ReferenceLight['type'][] = ['directional', 'point', 'spot'];
 const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
 
-/** What the darkness of engraved lines depends on. */
+/** The input of the darkness of engraved lines. */
 export type EngravedScene = Pick<HatchingSpec, 'lights' | 'matrixWorld' | 'camera' | 'width' | 'height'> & {
   lines: NonNullable<HatchingSpec['lines']>;
   material: Pick<HatchingSpec['material'], 'strokeRotation' | 'tilesPerUnit' | 'shadowStrokes'>;

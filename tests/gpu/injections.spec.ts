@@ -13,7 +13,7 @@ type Stage = 'vertexShader' | 'fragmentShader';
 
 interface Injection {
   place: string;
-  /** What takes the place of each text, by stage. */
+  /** The replacement of each text, by stage. */
   edits: readonly (readonly [stage: Stage, place: string, text: string])[];
   /** The colour in the middle, from 0 to 255; the ground is green. */
   middle: readonly [number, number, number];

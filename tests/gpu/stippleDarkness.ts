@@ -23,7 +23,7 @@ import type { DarknessOf } from './referenceCase.js';
 const texels = stippleMap().image.data as Uint8Array;
 const wrap = (cell: number) => ((cell % STIPPLE_MAP_SIZE) + STIPPLE_MAP_SIZE) % STIPPLE_MAP_SIZE;
 
-/** What the darkness of dots depends on. */
+/** The input of the darkness of dots. */
 export type StippleScene = Pick<HatchingSpec, 'matrixWorld' | 'camera' | 'width' | 'height'> & {
   material: Pick<HatchingSpec['material'], 'tilesPerUnit'>;
   dots: NonNullable<HatchingSpec['dots']>;

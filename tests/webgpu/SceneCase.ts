@@ -35,7 +35,7 @@ export interface SceneCase {
   /** The depth buffer. Default: that of the device. */
   depth?: Depth;
   /**
-   * What is compared with WebGPU: the pixels, or only the mean tone where edges are as wide as screen-space derivatives, which WebGPU takes
+   * The comparison with WebGPU: of pixels, or only of the mean tone where edges are as wide as screen-space derivatives, which WebGPU takes
    * from other pixels. Default: `pixels`.
    */
   onWebGPU?: 'pixels' | 'tone';

@@ -61,7 +61,7 @@ export async function drawerOfNodes(
         return;
       }
       const pipeline = new RenderPipeline(renderer, through(scene, camera));
-      // What is drawn into a target stays linear.
+      // Colours in a render target stay linear.
       pipeline.outputColorTransform = false;
       pipeline.render();
     },

@@ -67,15 +67,15 @@ export async function follow(page: Page, hash: string): Promise<void> {
   await idle(page);
 }
 
-/** Pastes a link into the address, and waits until the page has been told of it: that comes in a task of its own. */
+/** Pastes a link into the address, and waits for the event of the change, which comes in its own task. */
 export async function enterLink(page: Page, hash: string): Promise<void> {
   await page.evaluate(async (link) => {
     if (location.hash === `#${link}`) return;
-    const isTold = new Promise<void>((resolve) => {
+    const arrived = new Promise<void>((resolve) => {
       addEventListener('hashchange', () => setTimeout(resolve), { once: true });
     });
     location.hash = link;
-    await isTold;
+    await arrived;
   }, hash);
 }
 

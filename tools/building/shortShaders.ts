@@ -52,7 +52,7 @@ export function shortened(text: string): string {
       .replace(/^#(el)?if .*/gm, (line) => line.replace(/ (==|!=|>|<|&&|\|\|) /g, '$1'))
       .replace(/(^[^#\n].*[{(,;])\n(?!#)/gm, '$1')
       .replace(/(^[^#\n].*)\n(?=[})])/gm, '$1')
-      // As users look for it in `onBeforeCompile`.
+      // Users look for this text in `onBeforeCompile`.
       .replace('void main(){', 'void main() {')
   );
 }

@@ -15,7 +15,7 @@ async function underTwo(kit: Kit, parameters: HatchingMaterialParameters, light:
   return stage;
 }
 
-/** What shadows do to strokes. */
+/** Effects of shadows on strokes. */
 export const cases: readonly SceneCase[] = [
   {
     name: 'lines that cross in a shadow',

@@ -40,11 +40,11 @@ export interface Rays {
   nearing: Value;
   /** The point on the map: homogeneous on a flat one, the vector from the light on a cube. */
   at: Value;
-  /** What a unit of distance along the central ray adds to it. */
+  /** Its change per unit of distance along the central ray. */
   towards: Value;
-  /** What units to both sides add. */
+  /** Its changes per unit to both sides. */
   across: readonly [Value, Value];
-  /** Numerator and denominator of the depth at the point, and what a unit of distance adds to them. */
+  /** Numerator and denominator of the depth at the point, and their changes per unit of distance. */
   depth: readonly [Value, Value, Value, Value];
 }
 

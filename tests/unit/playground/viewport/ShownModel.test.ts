@@ -55,7 +55,7 @@ test('a model is kept until its replacement has been drawn', () => {
 });
 
 test('a baked model replaces its placeholder and the previous model', () => {
-  const { shown, models, onChange, seen, disposed } = stageOf('before', 'stand-in', 'other stand-in', 'model');
+  const { shown, models, onChange, seen, disposed } = stageOf('before', 'placeholder', 'other placeholder', 'model');
   const [before, placeholder, other, model] = models.map(asModel);
   shown.set(before);
   shown.setPlaceholder(placeholder);
@@ -66,27 +66,27 @@ test('a baked model replaces its placeholder and the previous model', () => {
   expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
   expect(shown.isPlaceholder).toBe(true);
   shown.disposePrevious();
-  expect(disposed()).toEqual(['stand-in']);
+  expect(disposed()).toEqual(['placeholder']);
   shown.set(model);
   expect(onChange).toHaveBeenLastCalledWith('completed', DEFAULT_VIEW);
   expect(shown.isPlaceholder).toBe(false);
   expect(seen()).toEqual(['model']);
   shown.disposePrevious();
-  expect(disposed()).toEqual(['before', 'stand-in', 'other stand-in']);
+  expect(disposed()).toEqual(['before', 'placeholder', 'other placeholder']);
 });
 
 test('a model does not complete another model’s placeholder', () => {
-  const { shown, models, onChange, disposed } = stageOf('stand-in', 'other');
+  const { shown, models, onChange, disposed } = stageOf('placeholder', 'other');
   shown.setPlaceholder(asModel(models[0]));
   shown.set(asModel(models[1]), DEFAULT_VIEW, false);
   expect(onChange).toHaveBeenLastCalledWith('another', DEFAULT_VIEW);
   expect(shown.isPlaceholder).toBe(false);
   shown.disposePrevious();
-  expect(disposed()).toEqual(['stand-in']);
+  expect(disposed()).toEqual(['placeholder']);
 });
 
 test('if a bake fails, the previous model returns with its framing and the latest map', () => {
-  const { shown, models, onChange, seen, disposed } = stageOf('before', 'stand-in');
+  const { shown, models, onChange, seen, disposed } = stageOf('before', 'placeholder');
   const [before, placeholder] = models.map(asModel);
   shown.removePlaceholder();
   expect(onChange).not.toHaveBeenCalled();
@@ -102,17 +102,17 @@ test('if a bake fails, the previous model returns with its framing and the lates
   expect(models[0].maps).toEqual([map]);
   expect(seen()).toEqual(['before']);
   shown.disposePrevious();
-  expect(disposed()).toEqual(['stand-in']);
+  expect(disposed()).toEqual(['placeholder']);
 });
 
 test('a failed placeholder of the first model leaves nothing behind', () => {
-  const { shown, models, seen, disposed } = stageOf('stand-in');
+  const { shown, models, seen, disposed } = stageOf('placeholder');
   shown.setPlaceholder(asModel(models[0]));
   shown.removePlaceholder();
   expect(seen()).toEqual([]);
   expect(shown.model).toBeUndefined();
   shown.disposePrevious();
-  expect(disposed()).toEqual(['stand-in']);
+  expect(disposed()).toEqual(['placeholder']);
 });
 
 test('a model gets its look before it is shown, unless that is cancelled', async () => {
@@ -140,7 +140,7 @@ test('the object before the first model is disposed of once the model has been d
   expect([shown.model, shown.drawn, seen()]).toEqual([undefined, warmUp, ['warmUp']]);
   shown.setPlaceholder(first);
   expect([shown.model, shown.drawn, seen(), disposed()]).toEqual([first, first, ['first'], []]);
-  // The stand-in was not drawn: it does not keep what was drawn before it.
+  // The placeholder was not drawn: it does not keep what was drawn before it.
   shown.set(second);
   expect([seen(), disposed()]).toEqual([['second'], ['warmUp']]);
   shown.disposePrevious();
