@@ -82,8 +82,8 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'morph targets of nodes stay as they are',
-    file: 'src/webgpu/outlines/NodePosePass.ts',
-    find: '    points.morphTargetInfluences = mesh.morphTargetInfluences;\n',
+    file: 'src/material/three/posing.ts',
+    find: '    this.morphTargetInfluences = mesh.morphTargetInfluences;\n',
     replace: '',
     caughtBy: { layer: 'webgpu', file: 'tests/webgpu/posed.spec.ts' },
   },
