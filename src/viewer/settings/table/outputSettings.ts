@@ -24,6 +24,15 @@ const PAPER_SIZES = Object.keys(PAPER);
 const OWN_SHEET = { pictureSize: ['own'] };
 const OWN_INCHES = { pictureSize: ['inches'] };
 const SHEETS = [...PAPER_SIZES, 'own', 'inches'];
+const MILLIMETRES = {
+  kind: 'number',
+  when: OWN_SHEET,
+  default: 200,
+  unit: 'mm',
+  min: 20,
+  max: 1200,
+  step: 0.1,
+} as const;
 const INCHES = { kind: 'number', when: OWN_INCHES, default: 8, unit: 'in', min: 1, max: 48, step: 0.05 } as const;
 
 /** The saved picture. */
@@ -41,26 +50,8 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
       inches: 'A sheet of your own, in inches',
     },
   },
-  pictureWidth: {
-    kind: 'number',
-    label: 'Sheet width',
-    when: OWN_SHEET,
-    default: 200,
-    unit: 'mm',
-    min: 20,
-    max: 1200,
-    step: 0.1,
-  },
-  pictureHeight: {
-    kind: 'number',
-    label: 'Sheet height',
-    when: OWN_SHEET,
-    default: 200,
-    unit: 'mm',
-    min: 20,
-    max: 1200,
-    step: 0.1,
-  },
+  pictureWidth: { ...MILLIMETRES, label: 'Sheet width' },
+  pictureHeight: { ...MILLIMETRES, label: 'Sheet height' },
   pictureWidthInches: { ...INCHES, label: 'Sheet width' },
   pictureHeightInches: { ...INCHES, label: 'Sheet height' },
   pictureTurn: {

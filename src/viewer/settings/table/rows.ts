@@ -168,6 +168,18 @@ const defaultFor = <Value>(property: HatchingPropertyName, toSetting: (value: un
     ? (PAGE_DEFAULTS[property as keyof typeof PAGE_DEFAULTS] as Value)
     : toSetting(libraryDefault(property));
 
+/** The row of a share in percent, which belongs to the page alone. */
+export const percent = (label: string, fallback: number, added: Partial<NumberRow> = {}): NumberRow => ({
+  kind: 'number',
+  label,
+  default: fallback,
+  unit: '%',
+  min: 0,
+  max: 100,
+  step: 1,
+  ...added,
+});
+
 /** The row of a numeric material property. Fields that the page does not supply come from the table of properties, in the page's unit. */
 export function numberOf(
   property: OfKind<'number'>,

@@ -2,7 +2,7 @@ import type { HatchingTechnique, StrokeStyleName } from 'three-hatching';
 import { HATCHING_DEFAULTS, HATCHING_OUTLINE_DEFAULTS } from 'three-hatching/facts';
 import { resolveMapDrawing } from '../../../strokes/tamImages/hatchImageOptions.js';
 import { PAGE_DEFAULTS } from './pageDefaults.js';
-import { choiceOf, inGroup, libraryDefault, numberOf, outlineOf, type SettingRow } from './rows.js';
+import { choiceOf, inGroup, libraryDefault, numberOf, outlineOf, percent, type SettingRow } from './rows.js';
 
 /** The library's map. */
 const MAP = resolveMapDrawing();
@@ -84,26 +84,8 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
     choices: { none: 'Nothing', ...TECHNIQUES },
   },
   mapStyle: { kind: 'choice', label: 'Style', partOf: 'tonalArtMap', default: MAP.style, choices: STYLES },
-  boldness: {
-    kind: 'number',
-    label: 'Strokes',
-    default: 100,
-    unit: '%',
-    min: 50,
-    max: 200,
-    step: 1,
-    ends: ['fine', 'bold'],
-  },
-  density: {
-    kind: 'number',
-    label: 'Cover',
-    default: 100,
-    unit: '%',
-    min: 50,
-    max: 200,
-    step: 1,
-    ends: ['sparse', 'dense'],
-  },
+  boldness: percent('Strokes', 100, { min: 50, max: 200, ends: ['fine', 'bold'] }),
+  density: percent('Cover', 100, { min: 50, max: 200, ends: ['sparse', 'dense'] }),
   strokeField: choiceOf('strokeField', {
     label: 'Strokes follow',
     choices: { light: 'The light', form: 'The form', acrossForm: 'Across the form', sheet: 'The sheet' },
@@ -261,17 +243,10 @@ export const OUTLINE_SETTINGS = inGroup('Outlines', 'hand', {
   outlineBorders: outlineOf('borders', '%', { label: 'Borders' }),
   outlineCreases: outlineOf('creases', '%', { label: 'Creases' }),
   outlineSuggestive: outlineOf('suggestiveContours', '%', { label: 'Suggestive', ends: ['none', 'in folds'] }),
-  outlineShade: {
-    kind: 'number',
-    label: 'Shade',
+  outlineShade: percent('Shade', outlineShadeOf(HATCHING_OUTLINE_DEFAULTS.shadeWeights), {
     when: DRAWN,
-    default: outlineShadeOf(HATCHING_OUTLINE_DEFAULTS.shadeWeights),
-    unit: '%',
-    min: 0,
-    max: 100,
-    step: 1,
     ends: ['even', 'thin in light'],
-  },
+  }),
   outlineLost: outlineOf('lostEdges', '%', { label: 'Lost edges', max: 100, ends: ['closed', 'open in light'] }),
   outlineAccents: outlineOf('accents', '%', { label: 'Accents', ends: ['none', 'where forms overlap'] }),
   outlineHidden: {

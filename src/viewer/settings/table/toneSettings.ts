@@ -1,6 +1,16 @@
 import { HATCHING_BACKGROUND_DEFAULTS } from 'three-hatching/facts';
 import { PAGE_DEFAULTS } from './pageDefaults.js';
-import { choiceOf, colorOf, inGroup, libraryDefault, type NumberRow, numberOf, UNITS, type Unit } from './rows.js';
+import {
+  choiceOf,
+  colorOf,
+  inGroup,
+  libraryDefault,
+  type NumberRow,
+  numberOf,
+  percent,
+  UNITS,
+  type Unit,
+} from './rows.js';
 
 /** How light becomes tone. */
 export const TONE_SETTINGS = inGroup('Tone', 'hand', {
@@ -64,16 +74,8 @@ const degrees = (label: string, fallback: number, most: number, added: Partial<N
   ...added,
 });
 
-const strength = (label: string, fallback: number, added: Partial<NumberRow> = {}): NumberRow => ({
-  kind: 'number',
-  label,
-  default: fallback,
-  unit: '%',
-  min: 10,
-  max: 200,
-  step: 1,
-  ...added,
-});
+const strength = (label: string, fallback: number, added: Partial<NumberRow> = {}): NumberRow =>
+  percent(label, fallback, { min: 10, max: 200, ...added });
 
 const FREE = { secondLight: ['free'] } as const;
 const SPOT = { lightKind: ['spot'] } as const;
@@ -86,17 +88,10 @@ const ON_SHADOW = { ...SHADOWED, ground: ['shadow'] } as const;
  */
 const onGround = (
   property: 'shadowTone' | 'shadowFade' | 'shadowSoftness',
-  added: { label: string; max: number } & Partial<NumberRow>,
-): NumberRow => ({
-  kind: 'number',
-  owner: 'hand',
-  when: ON_SHADOW,
-  default: UNITS.share.toSetting(Number(libraryDefault(property))),
-  unit: '%',
-  min: 0,
-  step: 1,
-  ...added,
-});
+  label: string,
+  added: Partial<NumberRow>,
+): NumberRow =>
+  percent(label, UNITS.share.toSetting(Number(libraryDefault(property))), { owner: 'hand', when: ON_SHADOW, ...added });
 
 /** The lights and their shadows. */
 export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
@@ -137,16 +132,7 @@ export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
     max: 120,
     step: 1,
   },
-  spotSoftness: {
-    kind: 'number',
-    label: 'Spot softness',
-    when: SPOT,
-    default: 30,
-    unit: '%',
-    min: 0,
-    max: 100,
-    step: 1,
-  },
+  spotSoftness: percent('Spot softness', 30, { when: SPOT }),
   reflectedLight: numberOf('reflectedLight', { label: 'Reflected', owner: 'hand', max: 60 }),
   occlusion: numberOf('occlusion', { label: 'Dark hollows', owner: 'scene', step: 5 }),
   hollowTone: numberOf('hollowTone', {
@@ -175,14 +161,9 @@ export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
     default: 'none',
     choices: { none: 'Nothing', shadow: 'Its shadow', floor: 'A floor' },
   },
-  shadowTone: onGround('shadowTone', { label: 'Shadow tone', min: 10, max: 100 }),
-  shadowFade: onGround('shadowFade', {
-    label: 'Shadow dissolves',
-    max: 300,
-    step: 5,
-    ends: ['nowhere', 'near the model'],
-  }),
-  shadowSoftness: onGround('shadowSoftness', { label: 'Shadow softens', max: 50, ends: ['nowhere', 'at once'] }),
+  shadowTone: onGround('shadowTone', 'Shadow tone', { min: 10 }),
+  shadowFade: onGround('shadowFade', 'Shadow dissolves', { max: 300, step: 5, ends: ['nowhere', 'near the model'] }),
+  shadowSoftness: onGround('shadowSoftness', 'Shadow softens', { max: 50, ends: ['nowhere', 'at once'] }),
   secondLight: {
     kind: 'choice',
     label: 'Second sun',
@@ -240,17 +221,7 @@ export const COMPOSITION_SETTINGS = inGroup('Composition', 'scene', {
     default: String(libraryDefault('depthFade')),
     choices: { auto: 'Fades in deep scenes', on: 'Fades', off: 'Does not fade' },
   },
-  depthStrength: {
-    kind: 'number',
-    label: 'Fades by',
-    partOf: 'depthFade',
-    when: FADING,
-    default: 70,
-    unit: '%',
-    min: 0,
-    max: 100,
-    step: 1,
-  },
+  depthStrength: percent('Fades by', 70, { partOf: 'depthFade', when: FADING }),
   depthNear: numberOf('depthNear', { label: 'From', when: FADING, min: 0, max: 100, ends: ['front', 'back'] }),
   depthFar: numberOf('depthFar', { label: 'Up to', when: FADING, min: 0, max: 200, ends: ['front', 'beyond'] }),
   focus: {
