@@ -9,6 +9,8 @@ export const PAGE_DEFAULTS = {
   sizedOnScreen: 0,
   tilesPerUnit: 2.5,
   strokeLayers: 'lights',
+  // As engraved lines cross; anchored strokes do so in deeper shade.
+  crossFrom: 52,
   outlineHand: 0.5,
   // The tone is that of the light, under lights that anybody may turn up.
   toneCurve: 'linear',
