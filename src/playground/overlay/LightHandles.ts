@@ -1,8 +1,8 @@
 import { acceptSetting, SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { placeOfLight, placeOfSecondLight } from '../../viewer/settings/settingValues.js';
 import { page } from '../page/page.js';
-import { LightHandle } from '../viewport/light/LightHandle.js';
 import type { Viewport } from '../viewport/Viewport.js';
+import { LightHandle } from './LightHandle.js';
 
 /** The handles of the two lights. Dragging them changes the settings. */
 export class LightHandles {

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const kept: readonly Mutation[] = [
   {
     name: 'any address may be the picture of a look',
-    file: 'src/playground/savedLooks/OwnLooks.ts',
+    file: 'src/playground/savedLooks/SavedLooks.ts',
     find: '/^data:image\\/(webp|png);/.test(stored) &&',
     replace: '',
     caughtBy: {

@@ -1,6 +1,6 @@
 import { Box2, BoxGeometry, Vector2, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { Silhouette } from '../../../../../src/playground/viewport/light/Silhouette.js';
+import { Silhouette } from '../../../../../src/playground/overlay/handleGeometry.js';
 import { fitCamera } from '../../../../../src/viewer/sceneSetup/framing.js';
 import { createCamera } from '../../../../../src/viewer/sceneSetup/LensCamera.js';
 

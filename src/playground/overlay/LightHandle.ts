@@ -1,15 +1,15 @@
 import { Box2, MathUtils, type PerspectiveCamera, Spherical, Vector2, Vector3 } from 'three';
-import { SETTINGS } from '../../../viewer/settings/settings.js';
-import type { LightPlace } from '../../../viewer/settings/settingValues.js';
+import { SETTINGS } from '../../viewer/settings/settings.js';
+import type { LightPlace } from '../../viewer/settings/settingValues.js';
 import {
   intersectSphere,
   isBehind,
   isHidden,
   nearestOutlinePoint,
   radiusWithin,
+  Silhouette,
   ViewportProjection,
-} from './lightSphere.js';
-import { Silhouette } from './Silhouette.js';
+} from './handleGeometry.js';
 
 const STEP = 5;
 const FINE_STEP = 1;
@@ -29,7 +29,7 @@ const PAST_OUTLINE = 14;
 const SUN_RADIUS = { min: 0.45, max: 1.45 };
 
 /** What the handle needs from its owner. */
-export interface LightHandleHost {
+interface LightHandleHost {
   /** The element below the handle. Its client size is the size of the picture. */
   viewport: HTMLElement;
   camera: PerspectiveCamera;
