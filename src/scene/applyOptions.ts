@@ -7,6 +7,7 @@ import {
 import { checkHatchImageOptions } from '../material/tam/checkHatchImageOptions.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import type { HatchedScene } from './HatchedScene.js';
 import type { PresetName } from './presets.js';
 import { withPreset } from './presets.js';
 
@@ -43,45 +44,43 @@ export function resolveOptions(given: ApplyHatchingOptions | PresetName): ApplyH
 export const prepareOptions = (options: ApplyHatchingOptions): Omit<PrepareHatchingGeometryOptions, 'outlines'> =>
   Object.fromEntries(Object.entries(options).filter(([name]) => !(name in OWN_OPTIONS)));
 
+const isFunction = (value: unknown): boolean => typeof value === 'function';
+const isObject = (value: unknown): boolean => typeof value === 'object' && value !== null;
+
+/** Options that are checked by themselves: what a value must be. */
+const RULES: readonly [keyof ApplyHatchingOptions, isRight: (value: unknown) => boolean, rule: string][] = [
+  [
+    'replaces',
+    (value) => (value as HatchedScene | null)?.isHatchedScene === true,
+    'the result of an earlier call, or left out',
+  ],
+  ['filter', isFunction, 'a function of a mesh, or left out'],
+  ['onGeometry', isFunction, 'a function of two numbers, or left out'],
+  ['onFormProgress', isFunction, 'a function, or left out'],
+  ['invalidate', isFunction, 'a function, or left out'],
+  [
+    'outlines',
+    (value) => typeof value === 'boolean' || isObject(value),
+    'true, false or an object with options of creases and outlines',
+  ],
+  [
+    'material',
+    (value) => isObject(value) || isFunction(value),
+    'an object of parameters, or a function that returns one',
+  ],
+];
+
 /** Checks the options that only `applyHatching` has; `prepareHatchingGeometry` checks those of the geometry. */
 function checkOwnOptions(options: ApplyHatchingOptions): void {
-  const {
-    filter,
-    outlines = false,
-    onGeometry,
-    onFormProgress,
-    invalidate,
-    material = {},
-    replaces,
-    tilesPerWorldUnit = 1,
-    tonalArtMap = null,
-  } = options;
-  const { renderer, camera } = options;
-  if (replaces !== undefined && replaces?.isHatchedScene !== true) {
-    throw new TypeError('applyHatching: replaces must be the result of an earlier call, or left out.');
+  const { renderer, camera, tilesPerWorldUnit = 1, tonalArtMap = null } = options;
+  for (const [name, isRight, rule] of RULES) {
+    if (options[name] !== undefined && !isRight(options[name]))
+      throw new TypeError(`applyHatching: ${name} must be ${rule}.`);
   }
   if ((renderer === undefined) !== (camera === undefined) || (renderer && !('isWebGLRenderer' in renderer))) {
     throw new TypeError(
       'applyHatching: renderer must be a WebGLRenderer, and camera must come with it; or leave out both, and await renderer.compileAsync(scene, camera) afterwards.',
     );
-  }
-  if (filter !== undefined && typeof filter !== 'function') {
-    throw new TypeError('applyHatching: filter must be a function of a mesh, or left out.');
-  }
-  if (onGeometry !== undefined && typeof onGeometry !== 'function') {
-    throw new TypeError('applyHatching: onGeometry must be a function of two numbers, or left out.');
-  }
-  for (const [name, listener] of Object.entries({ onFormProgress, invalidate })) {
-    if (listener === undefined || typeof listener === 'function') continue;
-    throw new TypeError(`applyHatching: ${name} must be a function, or left out.`);
-  }
-  if (typeof outlines !== 'boolean' && (typeof outlines !== 'object' || outlines === null)) {
-    throw new TypeError(
-      'applyHatching: outlines must be true, false or an object with options of creases and outlines.',
-    );
-  }
-  if (material === null || !['object', 'function'].includes(typeof material)) {
-    throw new TypeError('applyHatching: material must be an object of parameters, or a function that returns one.');
   }
   if (!(tilesPerWorldUnit > 0 && tilesPerWorldUnit < Infinity)) {
     throw new RangeError(

@@ -1,6 +1,6 @@
 import { BoxGeometry, BufferAttribute, type BufferGeometry, PlaneGeometry } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { bakeGeometries } from '../../../../src/scene/bakeGeometries.js';
+import { bakeGeometries } from '../../../src/scene/bakeGeometries.js';
 
 const boxes = (count: number) =>
   new Map(Array.from({ length: count }, () => [new BoxGeometry() as BufferGeometry, { layout: 'indexed' as const }]));
