@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { learnHand } from '../../src/strokes/hand/learnHand.js';
+import { drawSwatches } from '../../src/strokes/hands/drawSwatch.js';
 import { exampleHabits } from '../../src/strokes/hands/exampleHabits.js';
-import { drawSwatches } from '../../src/strokes/hands/exampleHand.js';
 import { FlipCount } from '../../tools/metrics/measures/normalisedFlips.js';
 import { poppingIndex } from '../../tools/metrics/measures/reprojectedChange.js';
 import { expect } from '../browser/test.js';

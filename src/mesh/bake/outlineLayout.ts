@@ -15,7 +15,7 @@
  *     points 0, 1, 2, nothing                                    a triangle
  *     left start, left end, right start, right end               an edge, and its flags
  *
- * The lower four flags (`edgeFlags.ts`) lie in the highest four bits of the first word, the others in those of the second.
+ * The lower four flags (below) lie in the highest four bits of the first word, the others in those of the second.
  */
 
 /** Words of `outlinePoints` per point. */

@@ -49,7 +49,7 @@ export interface CreaseLimits {
 export interface FeatureEdges {
   /** Four fans per edge: left at the start, left at the end, right at the start, right at the end. A border has the left ones twice. */
   fans: Uint32Array<ArrayBuffer>;
-  /** The flags of each edge (`edgeFlags.ts`). */
+  /** The flags of each edge (`outlineLayout.ts`). */
   flags: Uint8Array<ArrayBuffer>;
 }
 

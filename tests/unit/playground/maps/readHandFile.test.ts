@@ -2,8 +2,8 @@ import { expect, test } from 'vitest';
 import { readHandFile, readLinkedHand } from '../../../../src/playground/hand/ownHand.js';
 import { linkedHand } from '../../../../src/playground/session/DrawingState.js';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
+import { drawSwatches } from '../../../../src/strokes/hands/drawSwatch.js';
 import { exampleHabits } from '../../../../src/strokes/hands/exampleHabits.js';
-import { drawSwatches } from '../../../../src/strokes/hands/exampleHand.js';
 import { writeHand } from '../../../../src/viewer/settings/handLink.js';
 
 const hand = learnHand(drawSwatches(exampleHabits.brush, 1));

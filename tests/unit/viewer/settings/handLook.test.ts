@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
+import { drawSwatches } from '../../../../src/strokes/hands/drawSwatch.js';
 import { exampleHabits } from '../../../../src/strokes/hands/exampleHabits.js';
-import { drawSwatches } from '../../../../src/strokes/hands/exampleHand.js';
 import { handLook, linesOfHand, lookWithoutHand } from '../../../../src/viewer/settings/handLook.js';
 import { firstView } from '../../../../src/viewer/settings/presets.js';
 import { acceptSetting, defaultSettings, type SettingKey } from '../../../../src/viewer/settings/settings.js';
