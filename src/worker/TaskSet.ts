@@ -33,3 +33,15 @@ export interface TaskSet<All extends Tasks> {
   /** Loads the function that creates the inlined worker. */
   fetchWorker(): Promise<() => Worker>;
 }
+
+/** The buffers of all typed arrays in plain data, each once. A message with the data can transfer them. */
+export function buffersIn(data: unknown): ArrayBuffer[] {
+  const found = new Set<ArrayBuffer>();
+  const visit = (value: unknown): void => {
+    if (typeof value !== 'object' || value === null) return;
+    if (!ArrayBuffer.isView(value)) Object.values(value).forEach(visit);
+    else if (value.buffer instanceof ArrayBuffer) found.add(value.buffer);
+  };
+  visit(data);
+  return [...found];
+}

@@ -36,18 +36,6 @@ export function unpackError({ name, message }: TransportedError): Error {
   return error;
 }
 
-/** The buffers of all typed arrays in plain data, each once. A message with the data can transfer them. */
-export function buffersIn(data: unknown): ArrayBuffer[] {
-  const found = new Set<ArrayBuffer>();
-  const visit = (value: unknown): void => {
-    if (typeof value !== 'object' || value === null) return;
-    if (!ArrayBuffer.isView(value)) Object.values(value).forEach(visit);
-    else if (value.buffer instanceof ArrayBuffer) found.add(value.buffer);
-  };
-  visit(data);
-  return [...found];
-}
-
 /**
  * The browser releases the locks of a worker as soon as the worker has ended, whatever the reason. So a page that waits for a
  * lock which the worker holds all its life learns at once that the worker is gone, even if no event reports it. Locks exist only

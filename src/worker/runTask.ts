@@ -1,9 +1,8 @@
 import type { SurfaceRequest } from '../mesh/bake/bakeSurface.js';
 import type { VertexWords } from '../mesh/bake/vertexWords.js';
-import { buffersIn } from './protocol.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
-import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';
+import { buffersIn, type NameIn, type RequestOf, type ResultOf, type TaskSet, type Tasks } from './TaskSet.js';
 import type { BakingTasks } from './tasks.js';
 import type { CreateWorker, PoolsOf, WorkerPool } from './WorkerPool.js';
 

@@ -1,6 +1,6 @@
 import { runSliced } from '../mesh/phases.js';
-import { buffersIn, type FromWorker, holdLifeLock, packError, type ToWorker } from './protocol.js';
-import type { AnyTask, Tasks } from './TaskSet.js';
+import { type FromWorker, holdLifeLock, packError, type ToWorker } from './protocol.js';
+import { type AnyTask, buffersIn, type Tasks } from './TaskSet.js';
 
 /** Milliseconds between two progress messages. A message after every slice took a twentieth of the time. */
 const PROGRESS_MS = 40;

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { buffersIn } from '../../../src/worker/protocol.js';
+import { buffersIn } from '../../../src/worker/TaskSet.js';
 
 it('an image shared by two tones is transferred once, and stays shared', () => {
   const [paper, ink] = [255, 0].map((byte) => new Uint8Array(4).fill(byte));

@@ -4,8 +4,8 @@ import { bakeCorners } from '../../../../src/mesh/bake/bakeCorners.js';
 import { bakeIndexed } from '../../../../src/mesh/bake/bakeIndexed.js';
 import type { SurfaceRequest } from '../../../../src/mesh/bake/bakeSurface.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
-import { buffersIn } from '../../../../src/worker/protocol.js';
 import { bakingTasks } from '../../../../src/worker/runTask.js';
+import { buffersIn } from '../../../../src/worker/TaskSet.js';
 import { finish, meshOf } from '../meshes.js';
 import { cube, patch } from '../shapes.js';
 

@@ -10,7 +10,7 @@ import { BORDER, CREASE, POINT_MASK } from '../../../../src/mesh/bake/outlineLay
 import type { PackedOutlines } from '../../../../src/mesh/bake/packOutlines.js';
 import { computeAreaNormals } from '../../../../src/mesh/computeAreaNormals.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
-import { buffersIn } from '../../../../src/worker/protocol.js';
+import { buffersIn } from '../../../../src/worker/TaskSet.js';
 import { meshFrom, outlinesOf } from '../features/surfaces.js';
 import { finish, meshOf } from '../meshes.js';
 import { cube, patch, together, torus } from '../shapes.js';

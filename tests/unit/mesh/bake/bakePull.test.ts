@@ -4,8 +4,8 @@ import { type BakeRequest, bakeCorners } from '../../../../src/mesh/bake/bakeCor
 import { bakePull } from '../../../../src/mesh/bake/bakePull.js';
 import { pullTextureSize } from '../../../../src/mesh/bake/pullLayout.js';
 import type { TriangleMesh } from '../../../../src/mesh/TriangleMesh.js';
-import { buffersIn } from '../../../../src/worker/protocol.js';
 import { bakingTasks } from '../../../../src/worker/runTask.js';
+import { buffersIn } from '../../../../src/worker/TaskSet.js';
 import { finish } from '../meshes.js';
 import { cube, patch } from '../shapes.js';
 

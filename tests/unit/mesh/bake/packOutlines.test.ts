@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import type { OutlineSurface } from '../../../../src/mesh/bake/bakeOutlines.js';
 import { POINT_MASK } from '../../../../src/mesh/bake/outlineLayout.js';
 import { packOutlines } from '../../../../src/mesh/bake/packOutlines.js';
-import { buffersIn } from '../../../../src/worker/protocol.js';
+import { buffersIn } from '../../../../src/worker/TaskSet.js';
 import { finish, meshOf } from '../meshes.js';
 import { patch } from '../shapes.js';
 

@@ -8,7 +8,7 @@ import {
   findCandidates,
   searchContours,
 } from '../../../../src/mesh/features/contourCandidates.js';
-import { buffersIn } from '../../../../src/worker/protocol.js';
+import { buffersIn } from '../../../../src/worker/TaskSet.js';
 import { finish } from '../meshes.js';
 import { noise, torus } from '../shapes.js';
 import { cross, dot, fanPositions, outlinesOf, type Row, unit } from './surfaces.js';
