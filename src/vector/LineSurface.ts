@@ -1,4 +1,5 @@
 import { combined, cross, normalize, type Vec3, vectorAt } from '../look/vectors.js';
+import type { Projection } from './Projection.js';
 import type { Paint, PosedMaps, SurfaceDetails } from './paint/PaintLook.js';
 import type { FormAt } from './shading/lineFunctions.js';
 import type { Mat3 } from './shading/screenGradient.js';
@@ -94,21 +95,30 @@ export function placeFrom(n: ArrayLike<number>, triangle: FlatTriangle, side: nu
 export const placeOfVertex = (surface: LineSurface, vertex: number, triangle: number, side: number): SurfacePlace =>
   placeFrom(surface.vertices, readTriangle(surface, triangle), side, STRIDE * vertex);
 
-export function readTriangle({ vertices, triangles }: LineSurface, triangle: number): FlatTriangle {
-  const a = STRIDE * triangles[3 * triangle];
-  const b = STRIDE * triangles[3 * triangle + 1];
-  const c = STRIDE * triangles[3 * triangle + 2];
-  const first = vectorAt(vertices, a + FIELD);
+/** The vertices of the corners of a triangle. */
+export const cornersOf = ({ triangles }: LineSurface, triangle: number): Vec3 => vectorAt(triangles, 3 * triangle);
+
+/** The position of a vertex on the picture, pixels. */
+export const onPicture = (
+  { vertices }: LineSurface,
+  vertex: number,
+  projection: Projection,
+): readonly [number, number] => projection.project(...vectorAt(vertices, STRIDE * vertex + VIEW));
+
+export function readTriangle(surface: LineSurface, triangle: number): FlatTriangle {
+  const { vertices } = surface;
+  const [a, b, c] = cornersOf(surface, triangle);
+  const first = vectorAt(vertices, STRIDE * a + FIELD);
   return {
     flatNormal: cross(
-      combined(1, vectorAt(vertices, b + FIELD), -1, first),
-      combined(1, vectorAt(vertices, c + FIELD), -1, first),
+      combined(1, vectorAt(vertices, STRIDE * b + FIELD), -1, first),
+      combined(1, vectorAt(vertices, STRIDE * c + FIELD), -1, first),
     ),
     isPlane: hasOneToneNormal(vertices, a, b) && hasOneToneNormal(vertices, a, c),
   };
 }
 
 function hasOneToneNormal(vertices: Float64Array, a: number, b: number): boolean {
-  const [i, j] = [a + TONE_NORMAL, b + TONE_NORMAL];
+  const [i, j] = [STRIDE * a + TONE_NORMAL, STRIDE * b + TONE_NORMAL];
   return vertices[i] === vertices[j] && vertices[i + 1] === vertices[j + 1] && vertices[i + 2] === vertices[j + 2];
 }

@@ -1,7 +1,7 @@
 import { smoothstep, vectorAt } from '../look/vectors.js';
 import { asPhase } from '../mesh/phases.js';
 import type { FamilyName } from './Engraver.js';
-import { placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
+import { cornersOf, onPicture, placeFrom, readTriangle, STRIDE, VIEW } from './LineSurface.js';
 import { type LineOffsets, NO_RANK } from './levelSegments.js';
 import { penDistance } from './lineMarks.js';
 import type { Tracing } from './readVertices.js';
@@ -87,17 +87,15 @@ function* steadiness(
   ranks: Int16Array,
   octaves: Float64Array,
 ): Generator<number, Float64Array, void> {
-  const { vertices, triangles, placeOf } = surface;
+  const { triangles, placeOf } = surface;
   const steady = new Float64Array(octaves.length).fill(1);
   const changeAlong = (u: number, v: number): number => {
-    const [i, j] = [STRIDE * u + VIEW, STRIDE * v + VIEW];
-    const [ux, uy] = projection.project(...vectorAt(vertices, i));
-    const [vx, vy] = projection.project(...vectorAt(vertices, j));
+    const [[ux, uy], [vx, vy]] = [u, v].map((vertex) => onPicture(surface, vertex, projection));
     return Math.abs(octaves[placeOf[u]] - octaves[placeOf[v]]) / Math.max(Math.hypot(ux - vx, uy - vy), LEAST_LENGTH);
   };
   for (let t = 0; t < ranks.length; t++) {
     if (t % 4096 === 4095) yield t / ranks.length;
-    const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
+    const [a, b, c] = cornersOf(surface, t);
     const isLined = ranks[t] !== NO_RANK;
     const change = isLined ? Math.max(changeAlong(a, b), changeAlong(b, c), changeAlong(c, a)) : Infinity;
     const share = 1 - smoothstep(STEADY[0], STEADY[1], change);
@@ -120,16 +118,12 @@ function* easedOff(
   const counts = new Float64Array(shares.length);
   for (let t = 0; t < ranks.length; t++) {
     if (t % 16384 === 16383) yield t / ranks.length;
-    const a = placeOf[triangles[3 * t]];
-    const b = placeOf[triangles[3 * t + 1]];
-    const c = placeOf[triangles[3 * t + 2]];
+    const [a, b, c] = vectorAt(triangles, 3 * t).map((vertex) => placeOf[vertex]);
     const mean = (shares[a] + shares[b] + shares[c]) / 3;
-    sums[a] += mean;
-    sums[b] += mean;
-    sums[c] += mean;
-    counts[a]++;
-    counts[b]++;
-    counts[c]++;
+    for (const place of [a, b, c]) {
+      sums[place] += mean;
+      counts[place]++;
+    }
   }
   for (let place = 0; place < sums.length; place++)
     sums[place] = Math.min(shares[place], sums[place] / (counts[place] || 1));

@@ -1,6 +1,6 @@
 import { LINE_CONSTANTS } from '../look/constants/engravedConstants.js';
 import type { Engraver, FamilyName } from './Engraver.js';
-import type { LineSurface } from './LineSurface.js';
+import { cornersOf, type LineSurface } from './LineSurface.js';
 import { NO_RANK } from './levelSegments.js';
 import { finestRank, LEAST_PEN_TONE, plottedOctave, printedOctave } from './lineMarks.js';
 import type { Projection } from './Projection.js';
@@ -106,16 +106,14 @@ class VertexReader {
 
 /** The rank of the finest lines of every triangle: that of its finest corner, or NO_RANK for none. */
 export function* ranksOfTriangles(
-  { surface: { triangles }, sides }: Tracing,
+  { surface, sides }: Tracing,
   { ranks, isDark }: FamilyVertices,
 ): Generator<number, Int16Array, void> {
   const finest = new Int16Array(sides.length).fill(NO_RANK);
   for (let t = 0; t < sides.length; t++) {
     if (t % (64 * CHUNK) === 64 * CHUNK - 1) yield t / sides.length;
     if (sides[t] === 0) continue;
-    const a = triangles[3 * t];
-    const b = triangles[3 * t + 1];
-    const c = triangles[3 * t + 2];
+    const [a, b, c] = cornersOf(surface, t);
     if (isDark[a] + isDark[b] + isDark[c] > 0) finest[t] = Math.min(ranks[a], ranks[b], ranks[c]);
   }
   return finest;

@@ -1,6 +1,6 @@
 import { asPhase } from '../mesh/phases.js';
 import { GrowingArray } from './GrowingArray.js';
-import { FIELD, type LineSurface, STRIDE, VIEW, WORLD } from './LineSurface.js';
+import { cornersOf, FIELD, type LineSurface, onPicture, STRIDE, VIEW, WORLD } from './LineSurface.js';
 import type { Projection } from './Projection.js';
 
 /**
@@ -24,19 +24,15 @@ interface Seen {
   isBefore: Uint8Array;
 }
 
-function* seenPlaces(
-  { vertices, placeOf }: LineSurface,
-  projection: Projection,
-  count: number,
-): Generator<number, Seen, void> {
+function* seenPlaces(surface: LineSurface, projection: Projection, count: number): Generator<number, Seen, void> {
+  const { vertices, placeOf } = surface;
   const seen = { x: new Float64Array(count), y: new Float64Array(count), isBefore: new Uint8Array(count) };
   for (let v = 0; v < placeOf.length; v++) {
     if (v % 8192 === 8191) yield v / placeOf.length;
-    const o = STRIDE * v + VIEW;
-    const [x, y] = projection.project(vertices[o], vertices[o + 1], vertices[o + 2]);
+    const [x, y] = onPicture(surface, v, projection);
     seen.x[placeOf[v]] = x;
     seen.y[placeOf[v]] = y;
-    seen.isBefore[placeOf[v]] = Number(-vertices[o + 2] < projection.camera.near);
+    seen.isBefore[placeOf[v]] = Number(-vertices[STRIDE * v + VIEW + 2] < projection.camera.near);
   }
   return seen;
 }
@@ -82,7 +78,7 @@ class Halving {
     const { triangles, parents, placeOf } = surface;
     for (let t = 0; 3 * t < triangles.length; t++) {
       if (t % 1024 === 1023) yield (3 * t) / triangles.length;
-      const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
+      const [a, b, c] = cornersOf(surface, t);
       // Invisible triangles are dropped.
       if (!mayBeSeen(seen, projection, placeOf[a], placeOf[b], placeOf[c])) continue;
       this.split(parents[t], a, b, c);

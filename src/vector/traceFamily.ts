@@ -3,7 +3,7 @@ import { asPhase } from '../mesh/phases.js';
 import { type Chain, ChainBuilder } from './Chain.js';
 import type { EngravedPlace, FamilyName } from './Engraver.js';
 import { evenSpacing } from './evenSpacing.js';
-import { between, type LineSurface, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
+import { between, cornersOf, type LineSurface, onPicture, STRIDE, type SurfacePlace, VIEW } from './LineSurface.js';
 import { type LevelSegments, levelSegments, type Walk, walkSegments } from './levelSegments.js';
 import { type Line, plottedMark, printedMark } from './lineMarks.js';
 import type { Projection } from './Projection.js';
@@ -30,13 +30,9 @@ export function* seenSides(surface: LineSurface, projection: Projection): Genera
   const sides = new Int8Array(triangles.length / 3);
   for (let t = 0; t < sides.length; t++) {
     if (t % 2048 === 2047) yield t / sides.length;
-    const a = STRIDE * triangles[3 * t] + VIEW;
-    const b = STRIDE * triangles[3 * t + 1] + VIEW;
-    const c = STRIDE * triangles[3 * t + 2] + VIEW;
-    if (-vertices[a + 2] < near || -vertices[b + 2] < near || -vertices[c + 2] < near) continue;
-    const [ax, ay] = projection.project(vertices[a], vertices[a + 1], vertices[a + 2]);
-    const [bx, by] = projection.project(vertices[b], vertices[b + 1], vertices[b + 2]);
-    const [cx, cy] = projection.project(vertices[c], vertices[c + 1], vertices[c + 2]);
+    const corners = cornersOf(surface, t);
+    if (corners.some((vertex) => -vertices[STRIDE * vertex + VIEW + 2] < near)) continue;
+    const [[ax, ay], [bx, by], [cx, cy]] = corners.map((vertex) => onPicture(surface, vertex, projection));
     // Picture coordinates run down, so front faces are clockwise.
     const area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     if (area < 0 && drawsFront) sides[t] = 1;
@@ -317,24 +313,18 @@ const lengthBetween = ({ at: [x, y] }: Measured, { at: [toX, toY] }: Measured): 
  * @param traced the triangles with lines, with repetitions
  */
 function* tracedSlopes(
-  { triangles, vertices }: LineSurface,
+  surface: LineSurface,
   values: Float64Array,
   traced: ArrayLike<number>,
   projection: Projection,
 ): Generator<number, Float32Array, void> {
-  const slopes = new Float32Array(triangles.length / 3);
-  const at = (vertex: number) => {
-    const o = STRIDE * vertex + VIEW;
-    return projection.project(vertices[o], vertices[o + 1], vertices[o + 2]);
-  };
+  const slopes = new Float32Array(surface.parents.length);
   for (let i = 0; i < traced.length; i++) {
     if (i % 2048 === 2047) yield i / traced.length;
     const t = traced[i];
     if (slopes[t] !== 0) continue;
-    const [a, b, c] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
-    const [ax, ay] = at(a);
-    const [bx, by] = at(b);
-    const [cx, cy] = at(c);
+    const [a, b, c] = cornersOf(surface, t);
+    const [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map((vertex) => onPicture(surface, vertex, projection));
     const [ux, uy, wx, wy] = [bx - ax, by - ay, cx - ax, cy - ay];
     const area = ux * wy - uy * wx;
     if (area === 0) continue;

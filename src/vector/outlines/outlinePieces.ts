@@ -103,10 +103,7 @@ class PieceFinder {
     end.innerWeight = Math.max(this.look.innerContours * ofContour, whole);
   }
 
-  private cornersOf(triangle: number): readonly [number, number, number] {
-    const { triangles } = this.mesh;
-    return [triangles[3 * triangle], triangles[3 * triangle + 1], triangles[3 * triangle + 2]];
-  }
+  private readonly cornersOf = (triangle: number): Vec3 => vectorAt(this.mesh.triangles, 3 * triangle);
 
   /** The places on the edges of a triangle where values of its points are 0; null if they have one sign. */
   private zeroSet(triangle: number, values: Float64Array): readonly [PieceEnd, PieceEnd] | null {
