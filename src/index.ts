@@ -8,21 +8,20 @@
 export type * from './look/hatchingProperties.js';
 export type { HiddenOutlines } from './look/hiddenOutlines.js';
 export type { BackgroundNumberName } from './material/backgroundProperties.js';
-export type { HatchingMap } from './material/checkTonalArtMap.js';
+export type { HatchingMaterialParameters } from './material/checkValues.js';
 export type { ToneFit } from './material/exposure/ToneFit.js';
 export { SceneExtent } from './material/fading/SceneExtent.js';
 export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
 export type { HatchingFormOptions } from './material/geometry/HatchingFormOptions.js';
-export type { HatchingStatistics } from './material/geometry/HatchingStatistics.js';
 export type {
   OutlineOptions,
   PrepareHatchingGeometryOptions,
 } from './material/geometry/PrepareHatchingGeometryOptions.js';
+export type { HatchingStatistics } from './material/geometry/preparedGeometry.js';
 export { prepareHatchingGeometry } from './material/geometry/prepareHatchingGeometry.js';
 export type { Repairs } from './material/geometry/repairValues.js';
 export { HatchingBackground, type HatchingBackgroundParameters } from './material/HatchingBackground.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
-export type { HatchingMaterialParameters } from './material/HatchingMaterialParameters.js';
 export type { HatchingMaterialOptions, HatchingMaterialProperties } from './material/HatchingMaterialProperties.js';
 export type { HatchingMaterialJSON } from './material/hatchingJSON.js';
 export {
@@ -31,14 +30,13 @@ export {
 } from './material/outlines/HatchingOutlineMaterial.js';
 export { HatchingOutlines } from './material/outlines/HatchingOutlines.js';
 export type { MeshOutlines } from './material/outlines/MeshOutlines.js';
-export { millimetresToPixels } from './material/outlines/millimetresToPixels.js';
 export type { OutlineNumberName } from './material/outlines/outlineProperties.js';
+export { millimetresToPixels } from './material/outlines/outlineProperties.js';
 export type { PropertyFields } from './material/PropertyFields.js';
-export type { ThresholdMoments } from './material/tam/measureThresholdMoments.js';
-export type { ThresholdTexture } from './material/tam/ThresholdTexture.js';
+export type { HatchingMap, Vector2Like, Vector3Like } from './material/propertyValues.js';
 export { TonalArtMap, type TonalArtMapOptions } from './material/tam/TonalArtMap.js';
 export type { TonalArtMapTexture } from './material/tam/TonalArtMapTexture.js';
-export type { Vector2Like, Vector3Like } from './material/vectorValues.js';
+export type { ThresholdMoments, ThresholdTexture } from './material/tam/thresholds.js';
 export type { EdgeCounts } from './mesh/adjacency/pairEdges.js';
 export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/AdaptiveResolution.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';

@@ -1,5 +1,5 @@
 // The tonal art map: RGBA layers that overlap by one tone, so that both hatch images of any tone lie in one texel and a triangle costs one
-// fetch (written by src/material/tam/packHatchImages.ts).
+// fetch (written by src/material/tam/TonalArtMapTexture.ts).
 
 uniform highp sampler2DArray tonalArtMap;
 uniform float tonalArtMapTones;

@@ -23,17 +23,16 @@ import {
   type BackgroundNumberName,
   HATCHING_BACKGROUND_DEFAULTS,
 } from './backgroundProperties.js';
-import { checkNumber } from './checkNumber.js';
+import { warnOfRenderer } from './diagnostics/warn.js';
 import { SceneExtent } from './fading/SceneExtent.js';
 import { keptFromProxies } from './hatchingUniforms.js';
 import { writeSheet } from './pictureOffset.js';
-import { definesOf } from './shaders/definesOf.js';
+import { checkNumber } from './propertyValues.js';
 import type { Shaders } from './shaders/hatchingShaders.js';
-import { resolveIncludes } from './shaders/resolveIncludes.js';
 import { conventionsChunk } from './shaders/shaderConventions.js';
+import { definesOf, resolveIncludes } from './shaders/shaderText.js';
 import { lightChunks } from './three/lightKinds.js';
 import { NO_VERTICES } from './three/posing.js';
-import { warnOfRenderer } from './warnOfRenderer.js';
 
 /** The sources of the background shaders, and the chunks that they share with materials. */
 const files: Readonly<Record<string, string>> = import.meta.glob(

@@ -20,16 +20,15 @@ import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } fro
 import type { PresetName } from '../look/presetMaterials.js';
 import { defaultOf, spelledOut } from '../look/presetParameters.js';
 import { followsForm, needsMap, usesThresholds } from '../look/queries.js';
+import type { HatchingMaterialParameters } from './checkValues.js';
 import { checkChoice, checkValues, warnOfUnused } from './checkValues.js';
-import { vertexLayoutOf } from './deformation/vertexLayoutOf.js';
+import { vertexLayoutOf } from './deformation/canDeform.js';
 import { silence } from './diagnostics/warn.js';
 import { FrameStamp } from './FrameStamp.js';
 import { takesWeight, writeFading, writeImportance } from './fading/fading.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import { fittingMap } from './fittingMap.js';
 import { isFormed } from './geometry/formGeometry.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
 import {
   createHatchingUniforms,
@@ -40,18 +39,17 @@ import {
   writePropertyUniforms,
   writeSizeUniforms,
 } from './hatchingUniforms.js';
+import { fittingMap, mapIsReady, sharedMap } from './mapInUse.js';
 import { PropertyFields } from './PropertyFields.js';
-import { ExposureInUse, PartInUse } from './parts/PartInUse.js';
-import { fetchParts, fetchPartsOf } from './parts/parts.js';
+import { ExposureInUse, fetchParts, fetchPartsOf, PartInUse } from './parts/parts.js';
 import { drawnPart, writePartUniforms } from './pictureOffset.js';
 import { type ProgramFacts, programDefines, programSwitches, writeDefines } from './programDefines.js';
+import { withVectors } from './propertyValues.js';
 import { hatchingShaders, plainShaders, type Shaders } from './shaders/hatchingShaders.js';
-import { mapIsReady, sharedMap } from './sharedMaps.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 import { bindEnvironment, blurredEnvironment, environmentAround } from './three/environments.js';
 import { defineRigid, keepHooks, RendererKind } from './three/hooks.js';
 import { MeshUniforms } from './three/MeshUniforms.js';
-import { withVectors } from './vectorValues.js';
 
 /** Properties beside those of the table that three.js copies in `ShaderMaterial.copy`. */
 // biome-ignore format: one line

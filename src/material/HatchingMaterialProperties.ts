@@ -15,9 +15,8 @@ import type {
   ToneModel,
   ToneNormal,
 } from '../look/hatchingProperties.js';
-import type { HatchingMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import type { Vector2Like, Vector3Like } from './vectorValues.js';
+import type { HatchingMap, Vector2Like, Vector3Like } from './propertyValues.js';
 
 /** The parameters of a HatchingMaterial, besides those of three's own `Material`. */
 export interface HatchingMaterialOptions {

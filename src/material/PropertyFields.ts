@@ -1,9 +1,9 @@
 import { ShaderMaterial, type Vector3 } from 'three';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import type { HatchingMap } from './checkTonalArtMap.js';
 import type { SceneExtent } from './fading/SceneExtent.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { accessorOf, fieldOf } from './propertyAccessors.js';
+import type { HatchingMap } from './propertyValues.js';
 
 /**
  * The properties of `HatchingMaterial` as fields, defined from the property table. Colours, vectors and textures are plain fields; the

@@ -1,19 +1,34 @@
-import { Color, type Texture } from 'three';
+import { Color, type MaterialParameters, type NormalMapTypes, type Texture } from 'three';
 import type { HatchingNumber, HatchingProperty } from '../look/HatchingProperty.js';
-import {
-  HATCHING_DEFAULTS,
-  HATCHING_PROPERTIES,
-  type HatchingPropertyName,
-  type HatchingTechnique,
-} from '../look/hatchingProperties.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from '../look/hatchingProperties.js';
+import type { PresetName } from '../look/presetMaterials.js';
 import { isDefault } from '../look/presetParameters.js';
 import { isUsedBy } from '../look/queries.js';
-import { checkNumber } from './checkNumber.js';
-import { checkHatchingMap, type HatchingMap } from './checkTonalArtMap.js';
 import { warn } from './diagnostics/warn.js';
+import type { SceneExtent } from './fading/SceneExtent.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
-import { isVector2Like, isVector3Like } from './vectorValues.js';
+import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
+import { checkHatchingMap, checkNumber, type HatchingMap, isVector2Like, isVector3Like } from './propertyValues.js';
+
+/** The parameters of `new HatchingMaterial()` and `setValues()`. */
+export type HatchingMaterialParameters = MaterialParameters &
+  Partial<HatchingMaterialOptions> & {
+    /**
+     * The name of the preset to start from. The other parameters override it one by one; properties that the preset does not set have
+     * their defaults.
+     */
+    preset?: PresetName | undefined;
+    /** Defines of your own, added to those of the material. */
+    defines?: Record<string, unknown> | undefined;
+    /** The space of `normalMap`: `TangentSpaceNormalMap`, the default, or `ObjectSpaceNormalMap`. */
+    normalMapType?: NormalMapTypes | undefined;
+    /** The extent of the scene, relative to which `depthFade` measures depth. */
+    extent?: SceneExtent | null | undefined;
+    fog?: boolean | undefined;
+    wireframe?: boolean | undefined;
+    clipping?: boolean | undefined;
+    lights?: boolean | undefined;
+  };
 
 /**
  * Checks parameters before any of them is set, so that a wrong one changes nothing. Parameters of three's `Material` are not checked.

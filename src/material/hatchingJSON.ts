@@ -1,9 +1,9 @@
 import { Material, Plane, type Texture, Vector2, Vector3 } from 'three';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import type { HatchingMaterialParameters } from './checkValues.js';
 import { isDefault, plainValue } from '../look/presetParameters.js';
-import { isTonalArtMap } from './checkTonalArtMap.js';
-import type { HatchingMaterialParameters } from './HatchingMaterialParameters.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
+import { isTonalArtMap } from './propertyValues.js';
 
 /** The JSON that three.js writes of any material, and the hatching properties that are not at their defaults. */
 export type HatchingMaterialJSON = ReturnType<Material['toJSON']>;

@@ -1,33 +1,35 @@
-import {
-  DataArrayTexture,
-  type IUniform,
-  Matrix3,
-  type Texture,
-  UniformsLib,
-  UniformsUtils,
-  Vector2,
-  Vector3,
-  Vector4,
-} from 'three';
+import { DataArrayTexture, DataTexture, type IUniform, LinearFilter, Matrix3, RGFormat, type Texture, UniformsLib, UniformsUtils, Vector2, Vector3, Vector4 } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { runsAway } from '../look/queries.js';
-import { blankThresholdMap } from './blankThresholdMap.js';
-import { isFitted } from './exposure/isFitted.js';
+import { isFitted } from './exposure/ToneFit.js';
 import { createFadingUniforms } from './fading/fading.js';
 import { curveEnds, fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
-let blank: DataArrayTexture | undefined;
+let blankThresholds: DataTexture | undefined;
+let blankImages: DataArrayTexture | undefined;
 
 /** One texel of blank paper for materials without a tonal art map. Shared and never disposed of. */
-function blankTonalArtMap(): DataArrayTexture {
-  if (blank === undefined) {
-    blank = new DataArrayTexture(new Uint8Array([255, 255, 255, 255]), 1, 1, 1);
-    blank.needsUpdate = true;
+export function blankThresholdMap(): DataTexture {
+  if (blankThresholds === undefined) {
+    blankThresholds = new DataTexture(new Uint8Array([255, 255]), 1, 1, RGFormat);
+    blankThresholds.unpackAlignment = 2;
+    // The filters of real maps: WebGPURenderer keeps the filter of the first texture that it binds.
+    blankThresholds.magFilter = blankThresholds.minFilter = LinearFilter;
+    blankThresholds.needsUpdate = true;
   }
-  return blank;
+  return blankThresholds;
+}
+
+/** The same as an array, for techniques that read images. */
+function blankTonalArtMap(): DataArrayTexture {
+  if (blankImages === undefined) {
+    blankImages = new DataArrayTexture(new Uint8Array([255, 255, 255, 255]), 1, 1, 1);
+    blankImages.needsUpdate = true;
+  }
+  return blankImages;
 }
 
 type Uniforms = Record<string, IUniform>;

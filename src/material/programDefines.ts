@@ -1,16 +1,11 @@
 import type { Texture } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import { drawnValue, needsAdjacency } from '../look/queries.js';
+import { needsAdjacency, drawnValue } from '../look/queries.js';
+import { VERTEX_LAYOUTS, type VertexLayout } from './deformation/canDeform.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
-import {
-  CHANNEL_VARYINGS,
-  channelDefine,
-  TONE_CURVES,
-  VERTEX_LAYOUTS,
-  type VertexLayout,
-} from './shaders/shaderConventions.js';
+import { CHANNEL_VARYINGS, channelDefine, TONE_CURVES } from './shaders/shaderConventions.js';
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 

@@ -1,11 +1,11 @@
-import { type Color, Material, type Mesh, type NormalMapTypes, type Texture, type Vector2 } from 'three';
+import type { Material, Mesh, Color, NormalMapTypes, Texture, Vector2 } from 'three';
+import type { HatchingMaterialParameters } from '../material/checkValues.js';
 import { GLASS } from '../look/glass.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { deforms } from '../material/deformation/canDeform.js';
 import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
 import { isReplaced } from './leftAlone.js';
 
 /** The number of digits in which equal scales agree; further ones may differ by rounding. */

@@ -1,5 +1,5 @@
 import type { Object3D } from 'three';
-import { mustBeAwaited } from '../material/diagnostics/mustBeAwaited.js';
+import { mustBeAwaited } from '../material/diagnostics/warn.js';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { fetchPartsOf } from '../material/parts/parts.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';

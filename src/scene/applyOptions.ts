@@ -1,9 +1,9 @@
-import { checkTonalArtMap, isTonalArtMap } from '../material/checkTonalArtMap.js';
-import { isPromise } from '../material/diagnostics/mustBeAwaited.js';
+import { isPromise } from '../material/diagnostics/warn.js';
 import {
   checkPrepareOptions,
   type PrepareHatchingGeometryOptions,
 } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import { checkTonalArtMap, isTonalArtMap } from '../material/propertyValues.js';
 import { checkHatchImageOptions } from '../material/tam/checkHatchImageOptions.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';

@@ -1,8 +1,7 @@
 import { BackSide, type Mesh, type Object3D, type Vector3 } from 'three';
 import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { checkGeometry } from '../material/geometry/checkGeometry.js';
-import { cornerRange } from '../material/geometry/cornerRange.js';
-import { copyVectors, extractMesh } from '../material/geometry/extractMesh.js';
+import { copyVectors, cornerRange, extractMesh } from '../material/geometry/extractMesh.js';
 import type { OcclusionMesh, OcclusionScene } from '../mesh/occlusion/OcclusionScene.js';
 import { runTask } from '../worker/runTask.js';
 import { checkOptions, maxWorkers, type TaskOptions } from '../worker/TaskOptions.js';

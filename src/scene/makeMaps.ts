@@ -1,4 +1,4 @@
-import { checkTonalArtMap } from '../material/checkTonalArtMap.js';
+import { checkTonalArtMap } from '../material/propertyValues.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';

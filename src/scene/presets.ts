@@ -1,7 +1,7 @@
 import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
 import { frozen, PRESET_MATERIALS, type PresetName } from '../look/presetMaterials.js';
 import { needsMap } from '../look/queries.js';
-import type { HatchingMaterialParameters } from '../material/HatchingMaterialParameters.js';
+import type { HatchingMaterialParameters } from '../material/checkValues.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
 

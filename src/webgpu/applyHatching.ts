@@ -1,5 +1,5 @@
 import type { Object3D } from 'three';
-import { mustBeAwaited } from '../material/diagnostics/mustBeAwaited.js';
+import { mustBeAwaited } from '../material/diagnostics/warn.js';
 import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { ApplyHatchingOptions } from '../scene/ApplyHatchingOptions.js';

@@ -101,7 +101,7 @@ export function writePattern(look: Look, uniforms: Record<string, IUniform>, whe
 const fitting = /* @__PURE__ */ new Later(
   'fits an exposure',
   'the exposure is 1',
-  () => import('../material/exposure/sceneExposure.js'),
+  () => import('../material/parts/exposure.js'),
 );
 
 /** Resolves when the code that fits a material's exposure is loaded, or is not needed. */

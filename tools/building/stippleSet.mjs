@@ -1,5 +1,5 @@
 /**
- * `node tools/building/stippleSet.mjs`: finds the set of points that stipple has its dots on, and prints it as src/material/tam/stippleSet.ts holds it.
+ * `node tools/building/stippleSet.mjs`: finds the set of points that stipple has its dots on, and prints it as src/material/tam/stippleMap.ts holds it.
  *
  * One point per cell of a square grid that repeats. That of cell c is that of cell 2c + b, half as large, in quarter b of c: so the
  * set at half its size holds the set. Quarters are chosen one by one, over and over, so that points keep away from one another, with
@@ -16,7 +16,7 @@ const server = await createServer({
   server: { middlewareMode: true, ws: false, watch: null },
 });
 const { STIPPLE_PERIOD: PERIOD } = await server.ssrLoadModule('/src/material/tam/patternSizes.ts');
-const { bayerRank, pointsOf } = await server.ssrLoadModule('/src/material/tam/stippleSet.ts');
+const { bayerRank, pointsOf } = await server.ssrLoadModule('/src/material/tam/stippleMap.ts');
 await server.close();
 
 const SWEEPS = 400;

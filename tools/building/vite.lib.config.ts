@@ -30,7 +30,7 @@ const SEPARATE = [
     test: modules(
       ...[
         'material/geometry/PrepareHatchingGeometryOptions',
-        'material/diagnostics/(?:assertGeometry|mustBeAwaited)',
+        'material/diagnostics/assertGeometry',
         'material/tam/checkHatchImageOptions',
       ],
       'worker/runTask',
@@ -66,7 +66,7 @@ const OF_NODES = [
   },
   {
     name: 'outlinesShared',
-    test: modules('material/outlines/(?:MeshOutlines|outlineUniforms|outlineValues)', 'material/geometry/OutlineData'),
+    test: modules('material/outlines/(?:MeshOutlines|outlineUniforms)', 'material/geometry/OutlineData'),
     priority: 3,
   },
   { name: 'deformations', test: modules('material/deformation/Deformations'), priority: 3 },

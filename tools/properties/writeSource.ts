@@ -65,9 +65,8 @@ export function writePropertyTypes(table: Table): string {
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' ? [row.type] : [])).sort();
   return `${HEADER}import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2, Vector3 } from 'three';
 import type { ${types.join(', ')} } from '../look/hatchingProperties.js';
-import type { HatchingMap } from './checkTonalArtMap.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import type { Vector2Like, Vector3Like } from './vectorValues.js';
+import type { HatchingMap, Vector2Like, Vector3Like } from './propertyValues.js';
 
 /** The parameters of a HatchingMaterial, besides those of three's own \`Material\`. */
 export interface HatchingMaterialOptions {

@@ -16,9 +16,10 @@ import {
 import { pullColumns, pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import type { PulledVertices } from '../geometry/PulledVertices.js';
 import type { ShaderFiles, Shaders } from '../shaders/hatchingShaders.js';
-import { resolveIncludes } from '../shaders/resolveIncludes.js';
+import { resolveIncludes } from '../shaders/shaderText.js';
 import { CornerPoints, NO_CORNERS } from '../three/posing.js';
 import type { PosePass } from './Deformation.js';
+import { Deformations } from './Deformations.js';
 
 const files: ShaderFiles = import.meta.glob(
   ['./deformation.*', './perTriangle/{pulledVertices,turns}.glsl', './chunks/deformVertex.glsl'],
@@ -123,3 +124,9 @@ export class PrePass implements PosePass {
     points.skeleton = undefined;
   }
 }
+
+/** The deformations of WebGLRenderer. Their key is `properties`, which three.js replaces when a lost context is restored. */
+export const glslDeformations: Deformations<WebGLRenderer> = /* @__PURE__ */ new Deformations(
+  ({ properties }) => properties,
+  (renderer, geometry, vertices) => new PrePass(renderer, geometry, vertices),
+);

@@ -1,4 +1,9 @@
 import type { BufferGeometry, InstancedMesh, Object3D, WebGLRenderer } from 'three';
+import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
+
+export const VERTEX_LAYOUTS = ['corner', 'pull', 'deforming'] as const;
+/** Where a vertex reads its adjacency primitive: in its attributes, in textures, or in textures that a pre-pass writes. */
+export type VertexLayout = (typeof VERTEX_LAYOUTS)[number];
 
 /** Whether a skin or morph targets can move vertices away from the rest pose. */
 export const deforms = ({ morphAttributes }: BufferGeometry, object: Object3D): boolean =>
@@ -14,3 +19,9 @@ export const morphsEachInstance = (object: Object3D): boolean =>
 /** Whether the pre-pass can deform the vertices of an object; otherwise its mesh is hatched in the rest pose. */
 export const canDeform = (renderer: WebGLRenderer, object: Object3D): boolean =>
   hasFloatTargets(renderer) && !morphsEachInstance(object);
+
+/** The layout in which a material will read the vertices of a mesh, if the device can draw it. */
+export function vertexLayoutOf(geometry: BufferGeometry, object: Object3D): VertexLayout {
+  if (!pulledVerticesOf(geometry)) return 'corner';
+  return deforms(geometry, object) ? 'deforming' : 'pull';
+}

@@ -17,8 +17,8 @@ import type {
 } from 'three';
 import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
-import { isFitted } from './isFitted.js';
 import { versionOf } from './surfaceSamples.js';
+import { isFitted } from './ToneFit.js';
 
 /**
  * The lights of a scene and the meshes whose exposure is fitted to them. Everything that the fit depends on is also kept as an array of

@@ -9,8 +9,7 @@ import { identityOf } from '../geometry/identityOf.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { isStale } from '../geometry/staleGeometry.js';
 import type { DrawnMaterial, FirstDraw, NoteMistake } from './FirstDraw.js';
-import { findLightMistake } from './findLightMistake.js';
-import { findStrokeMistakes } from './findStrokeMistakes.js';
+import { findLightMistake, findStrokeMistakes } from './findMistakes.js';
 import { type Mistake, SENTENCES, type Sentence } from './sentences.js';
 
 /** Whether a material is blank paper on purpose: its tone curve is 0 everywhere, as on a surface that only hides lines behind it. */

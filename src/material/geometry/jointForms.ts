@@ -1,8 +1,7 @@
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { JointForm } from '../../mesh/bake/bakeJointForms.js';
 import { runTask } from '../../worker/runTask.js';
-import { cornerRange } from './cornerRange.js';
-import { extractMesh } from './extractMesh.js';
+import { cornerRange, extractMesh } from './extractMesh.js';
 import { formRequest } from './HatchingFormOptions.js';
 import { DEFAULT_CREASE_ANGLE, type PrepareHatchingGeometryOptions } from './PrepareHatchingGeometryOptions.js';
 

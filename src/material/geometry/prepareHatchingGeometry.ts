@@ -8,11 +8,9 @@ import type { FormField } from '../../mesh/form/FormField.js';
 import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
 import { runTask } from '../../worker/runTask.js';
 import { checkNames } from '../../worker/TaskOptions.js';
-import { mustBeAwaited } from '../diagnostics/mustBeAwaited.js';
+import { mustBeAwaited } from '../diagnostics/warn.js';
 import { checkGeometry } from './checkGeometry.js';
-import { type CornerRange, cornerRange } from './cornerRange.js';
-import { extractMesh } from './extractMesh.js';
-import type { HatchingStatistics } from './HatchingStatistics.js';
+import { type CornerRange, cornerRange, extractMesh } from './extractMesh.js';
 import {
   checkPrepareOptions,
   DEFAULT_CREASE_ANGLE,
@@ -21,7 +19,7 @@ import {
   type OutlineOptions,
   type PrepareHatchingGeometryOptions,
 } from './PrepareHatchingGeometryOptions.js';
-import type { NotBaked } from './preparedGeometry.js';
+import type { HatchingStatistics, NotBaked } from './preparedGeometry.js';
 import { countUnusableNormals, type Repairs, zeroBadValues } from './repairValues.js';
 import {
   extractWords,

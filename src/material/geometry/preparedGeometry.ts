@@ -1,13 +1,24 @@
 import { Box3, BufferAttribute, type BufferGeometry, Sphere, Vector3 } from 'three';
+import type { EdgeCounts } from '../../mesh/adjacency/pairEdges.js';
 import type { BakeReport } from '../../mesh/bake/bakeSurface.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import { isFormed } from './formGeometry.js';
-import type { HatchingStatistics } from './HatchingStatistics.js';
 import { OutlineData, setOutlineData } from './OutlineData.js';
-import type { Repairs } from './repairValues.js';
-import { isUsableNormal } from './repairValues.js';
+import { isUsableNormal, type Repairs } from './repairValues.js';
 import { rememberPositions } from './staleGeometry.js';
 import type { VertexAttribute } from './vertexAttributes.js';
+
+/** The value of `userData.hatching` on a prepared geometry. */
+export interface HatchingStatistics extends EdgeCounts, Repairs {
+  /** The number of triangles, degenerate ones included. */
+  triangles: number;
+  /** The vertex layout. */
+  layout: 'corner' | 'pull' | 'indexed';
+  /** The field of engraved lines with `lineField: 'auto'`: the form if the geometry was prepared for it, otherwise the light. */
+  lineField: 'form' | 'light';
+  /** The size of all vertex, index, morph and texture data of the prepared geometry, in bytes. */
+  bytes: number;
+}
 
 /** The data of a prepared geometry that does not come from the bake. */
 export interface NotBaked extends Repairs, Pick<TaskOptions, 'createWorker'> {}

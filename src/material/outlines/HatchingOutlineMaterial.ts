@@ -29,18 +29,23 @@ import { checkColor } from '../checkValues.js';
 import { FrameStamp } from '../FrameStamp.js';
 import { type FadingLook, takesWeight, writeFading, writeImportance } from '../fading/fading.js';
 import { writeSheet } from '../pictureOffset.js';
-import { definesOf } from '../shaders/definesOf.js';
+import type { Vector2Like } from '../propertyValues.js';
 import type { Shaders } from '../shaders/hatchingShaders.js';
-import { resolveIncludes } from '../shaders/resolveIncludes.js';
 import { conventionsChunk } from '../shaders/shaderConventions.js';
+import { definesOf, resolveIncludes } from '../shaders/shaderText.js';
 import { toothConstantsChunk } from '../tam/patternSizes.js';
 import { toothMap } from '../tam/toothMap.js';
 import { lightChunks } from '../three/lightKinds.js';
 import { MeshUniforms } from '../three/MeshUniforms.js';
-import type { Vector2Like } from '../vectorValues.js';
 import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName } from './outlineProperties.js';
-import { createOutlineUniforms, OUTLINE_MESH_UNIFORMS } from './outlineUniforms.js';
-import { checkHidden, checkShadeWeights, defineOutlineNumbers, writeOutlineLook } from './outlineValues.js';
+import {
+  checkHidden,
+  checkShadeWeights,
+  createOutlineUniforms,
+  defineOutlineNumbers,
+  OUTLINE_MESH_UNIFORMS,
+  writeOutlineLook,
+} from './outlineUniforms.js';
 import { writeDrawState } from './surfaceRules.js';
 
 const flags = { BORDER, CREASE, MATERIAL_BORDER, CONTRARY, CORNER_AT_START, CORNER_AT_END, IS_EDGE };

@@ -1,24 +1,72 @@
 import {
   type BufferGeometry,
   type Camera,
+  GreaterDepth,
+  LessEqualDepth,
   type Material,
   type Mesh,
+  type Object3D,
   type Scene,
   Vector4,
   type WebGLRenderer,
 } from 'three';
 import { hasFloatTargets } from '../deformation/canDeform.js';
-import { glslDeformations } from '../deformation/glslDeformations.js';
+import { glslDeformations } from '../deformation/PrePass.js';
+import { warnOfRenderer } from '../diagnostics/warn.js';
 import { outlineDataOf } from '../geometry/OutlineData.js';
 import { forgetClipping } from '../three/privateData.js';
-import { warnOfRenderer } from '../warnOfRenderer.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
-import { HiddenPass } from './HiddenPass.js';
 import { InstanceList } from './InstanceList.js';
 import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from './MeshOutlines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
-import { isClipped, isCutOut, isDrawnBefore } from './surfaceRules.js';
+import { copyDrawState, isClipped, isCutOut, isDrawnBefore } from './surfaceRules.js';
+
+/** An object that draws outlines. */
+type Outlines = Object3D & { geometry: BufferGeometry; material: HatchingOutlineMaterial };
+
+/** Draws hidden outlines with a second material, which shares the uniforms of the first and takes over its state. */
+export class HiddenPass {
+  private material: HatchingOutlineMaterial | null = null;
+  private source: HatchingOutlineMaterial | null = null;
+  private version = -1;
+
+  /** Draws the hidden parts of outlines, right after the visible ones. */
+  draw(outlines: Outlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
+    const material = this.materialFor(outlines.material);
+    copyDrawState(outlines.material, material);
+    // If the depth of the scene is known, the fragment shader decides what is hidden.
+    const isKnown: boolean = material.uniforms.hasSceneDepth.value;
+    material.depthTest = !isKnown;
+    material.depthFunc = isKnown ? LessEqualDepth : GreaterDepth;
+    renderer.renderBufferDirect(camera, scene, outlines.geometry, material, outlines, null!);
+  }
+
+  dispose(): void {
+    this.material?.dispose();
+    this.material = null;
+    this.source = null;
+  }
+
+  private materialFor(source: HatchingOutlineMaterial): HatchingOutlineMaterial {
+    if (!this.material || this.source !== source) {
+      this.material?.dispose();
+      this.material = source.clone();
+      this.material.uniforms = source.uniforms;
+      this.source = source;
+      this.version = -1;
+    }
+    const { material } = this;
+    if (this.version !== source.version) {
+      this.version = source.version;
+      material.copy(source);
+      material.depthWrite = false;
+      material.defines = { ...source.defines, HIDDEN: '' };
+      material.needsUpdate = true;
+    }
+    return material;
+  }
+}
 
 const drawnInto = /* @__PURE__ */ new Vector4();
 const NONE: readonly OutlinePart[] = [];

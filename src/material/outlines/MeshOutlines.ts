@@ -25,9 +25,8 @@ import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { NO_VERTICES, SpriteLike } from '../three/posing.js';
 import { ContourList } from './ContourList.js';
 import { InstanceList } from './InstanceList.js';
-import { isScaledToNothing } from './isScaledToNothing.js';
 import { type OutlinePart, OutlineParts } from './OutlineParts.js';
-import { copyDrawState, type DrawState, takeDrawState } from './surfaceRules.js';
+import { copyDrawState, type DrawState, isScaledToNothing, takeDrawState } from './surfaceRules.js';
 
 /** The layers of outlines: those of their mesh, at any time, unless the outlines have been given layers of their own. */
 class MeshLayers extends Layers {

@@ -3,8 +3,7 @@ import type { OutlineData } from '../geometry/OutlineData.js';
 import type { ContourList } from './ContourList.js';
 import type { InstanceList } from './InstanceList.js';
 import { NO_PART, splitterOf } from './PrimitiveSplitter.js';
-import { type SurfacePart, surfaceParts } from './surfaceParts.js';
-import { isShown, looksAlike, opacityOf } from './surfaceRules.js';
+import { isShown, looksAlike, opacityOf, type SurfacePart, surfaceParts } from './surfaceRules.js';
 
 /** The greatest number of lists, one per camera: more than the six cameras of a CubeCamera and two eyes. */
 const MAX_LISTS = 12;

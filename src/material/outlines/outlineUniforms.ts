@@ -1,7 +1,9 @@
-import { type IUniform, UniformsLib, UniformsUtils, Vector2, Vector4 } from 'three';
+import { type Color, type IUniform, UniformsLib, UniformsUtils, Vector2, Vector4 } from 'three';
+import { HIDDEN_OUTLINES, type HiddenOutlines } from '../../look/hiddenOutlines.js';
 import { createFadingUniforms } from '../fading/fading.js';
 import { keptFromProxies } from '../hatchingUniforms.js';
-import { OUTLINE_NUMBER_NAMES } from './outlineProperties.js';
+import { type Vector2Like, checkNumber } from '../propertyValues.js';
+import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, OUTLINE_NUMBERS, OUTLINE_SIZES, type OutlineNumberName } from './outlineProperties.js';
 
 /** The uniforms that may differ between outlines with the same material, and all textures (see `MeshUniforms`). */
 export const OUTLINE_MESH_UNIFORMS = [
@@ -60,3 +62,59 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
       },
     ]),
   );
+
+/** The values of an outline material. */
+type OutlineLook = Record<OutlineNumberName, number> & {
+  ink: Color;
+  shadeWeights: Vector2;
+  opacity: number;
+  hidden: HiddenOutlines;
+};
+
+/**
+ * Defines a checked property for each number on a material. @param told called after a property was set. @param owner the name of the class
+ */
+export function defineOutlineNumbers(
+  material: object,
+  owner: string,
+  told: (name: OutlineNumberName, value: number) => void,
+): void {
+  for (const name of OUTLINE_NUMBER_NAMES) {
+    let current: number = HATCHING_OUTLINE_DEFAULTS[name];
+    Object.defineProperty(material, name, {
+      get: () => current,
+      set: (value: number) => {
+        current = checkNumber(name, value, OUTLINE_NUMBERS[name], owner);
+        told(name, current);
+      },
+      enumerable: true,
+    });
+  }
+}
+
+/** @throws TypeError unless `value` is one of the choices */
+export function checkHidden(value: HiddenOutlines, owner: string): HiddenOutlines {
+  if (HIDDEN_OUTLINES.includes(value)) return value;
+  throw new TypeError(
+    `${owner}.hidden is ${String(value)}, but must be ${HIDDEN_OUTLINES.map((one) => `'${one}'`).join(', ')}.`,
+  );
+}
+
+/** @throws RangeError unless `weights` are two numbers, 0 or more */
+export function checkShadeWeights(weights: Vector2Like, owner: string): [number, number] {
+  const [lit, shaded] = Symbol.iterator in Object(weights) ? [...(weights as Iterable<number>)] : [];
+  if (lit >= 0 && shaded >= 0 && lit + shaded < Infinity) return [lit, shaded];
+  throw new RangeError(
+    `${owner}.shadeWeights: pass two numbers, 0 or more: the weights on the lit side and in the shade.`,
+  );
+}
+
+/** Writes the properties of a material to uniforms. @param pixelRatio pixels of the render target per CSS pixel */
+export function writeOutlineLook(look: OutlineLook, u: Record<string, IUniform>, pixelRatio: number): void {
+  for (const name of OUTLINE_NUMBER_NAMES) u[name].value = look[name];
+  for (const name of OUTLINE_SIZES) u[name].value *= pixelRatio;
+  u.ink.value = look.ink;
+  u.shadeWeights.value = look.shadeWeights;
+  u.opacity.value = look.opacity;
+  u.isDashed.value = look.hidden === 'dashed';
+}

@@ -14,6 +14,8 @@ import {
   LessDepth,
   LessEqualDepth,
   type Material,
+  type Matrix4,
+  type Mesh,
   NeverDepth,
   NoBlending,
   NormalBlending,
@@ -21,6 +23,44 @@ import {
   NotEqualStencilFunc,
   ReplaceStencilOp,
 } from 'three';
+
+/** A part of a mesh that is drawn with one material: its corners from `start` up to `end`. */
+export interface SurfacePart {
+  material: Material;
+  start: number;
+  end: number;
+}
+
+/**
+ * The parts of a mesh that three.js draws: within its draw range, by groups if it has several materials, and only those with visible
+ * materials.
+ */
+export function surfaceParts({ geometry, material }: Mesh): SurfacePart[] {
+  const { index, attributes, drawRange, groups } = geometry;
+  const count = (index ?? attributes.position)?.count ?? 0;
+  const first = Math.max(0, drawRange.start);
+  const last = Math.min(count, drawRange.start + drawRange.count);
+  const parts = Array.isArray(material)
+    ? groups.map(({ start, count: size, materialIndex = 0 }) => ({
+        material: material[materialIndex],
+        start: Math.max(first, start),
+        end: Math.min(last, start + size),
+      }))
+    : [{ material, start: first, end: last }];
+  return parts.filter((part) => part.material?.visible && part.end - part.start >= 3);
+}
+
+/** Whether a matrix maps everything to one point, which hides an object or an instance. */
+export const isScaledToNothing = ({ elements: m }: Matrix4): boolean =>
+  m[0] === 0 &&
+  m[1] === 0 &&
+  m[2] === 0 &&
+  m[4] === 0 &&
+  m[5] === 0 &&
+  m[6] === 0 &&
+  m[8] === 0 &&
+  m[9] === 0 &&
+  m[10] === 0;
 
 /** A cache of the greatest vertex alpha of colour attributes, with their version. */
 const alphas = new WeakMap<object, { version: number; most: number }>();

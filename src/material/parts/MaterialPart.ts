@@ -1,8 +1,8 @@
 import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, Scene, WebGLRenderer } from 'three';
+import type { VertexLayout } from '../deformation/canDeform.js';
 import type { ToneFit } from '../exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { ShaderFiles } from '../shaders/hatchingShaders.js';
-import type { VertexLayout } from '../shaders/shaderConventions.js';
 import type { MeshUniforms } from '../three/MeshUniforms.js';
 
 /**

@@ -12,7 +12,7 @@ import { HASH_FACTORS, SCREEN_CONSTANTS } from '../../look/constants/patternCons
 import { followsForm } from '../../look/queries.js';
 import { hasOtherFormAngle, noteFormAngle } from '../geometry/formAngles.js';
 import { lineContrast } from '../geometry/lineFades.js';
-import { definesOf } from '../shaders/definesOf.js';
+import { definesOf } from '../shaders/shaderText.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import type { MaterialPart } from './MaterialPart.js';
 

@@ -1,5 +1,5 @@
 import { SCREEN_CONSTANTS, STIPPLE_CONSTANTS } from '../../look/constants/patternConstants.js';
-import { definesOf } from '../shaders/definesOf.js';
+import { definesOf } from '../shaders/shaderText.js';
 import { STIPPLE_MAP_SIZE } from '../tam/patternSizes.js';
 import { stippleMap } from '../tam/stippleMap.js';
 import type { MaterialPart } from './MaterialPart.js';

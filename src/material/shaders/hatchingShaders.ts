@@ -5,8 +5,8 @@ import { packingChunk } from '../three/chunks.js';
 import { environmentLayout } from '../three/environments.js';
 import { lightChunks, shadowChunks } from '../three/lightKinds.js';
 import { shadowDepthChunk, shadowMapsChunk } from '../three/shadowMaps.js';
-import { resolveIncludes } from './resolveIncludes.js';
 import { conventionsChunk, cornerAttributesChunk, mapTransformsChunk } from './shaderConventions.js';
+import { resolveIncludes } from './shaderText.js';
 
 /** The sources of a program's two stages. The library's includes are resolved; three.js resolves its own when it compiles. */
 export interface Shaders {

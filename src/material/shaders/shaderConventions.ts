@@ -7,15 +7,12 @@ import {
 import { constantCase, type HatchingProperty, type HatchingTexture } from '../../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../../look/hatchingProperties.js';
 import { cornerLayout } from '../../mesh/bake/attributeLayouts.js';
+import { VERTEX_LAYOUTS } from '../deformation/canDeform.js';
 import { TONE_CURVE_SPANS } from '../fitToneCurve.js';
 import { lightCountDefines } from '../three/lightKinds.js';
-import { definesOf } from './definesOf.js';
+import { definesOf } from './shaderText.js';
 
 export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
-
-export const VERTEX_LAYOUTS = ['corner', 'pull', 'deforming'] as const;
-/** Where a vertex reads its adjacency primitive: in its attributes, in textures, or in textures that a pre-pass writes. */
-export type VertexLayout = (typeof VERTEX_LAYOUTS)[number];
 
 const numbered = (prefix: string, names: readonly string[]) =>
   names.map((name, index) => `#define ${prefix}_${constantCase(name)} ${index}`);

@@ -12,11 +12,14 @@ import { deriveThresholds, encodeThresholds, type ThresholdLevel } from '../../s
 import { runTask } from '../../worker/runTask.js';
 import { checkNames, checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import { HATCH_IMAGE_OPTIONS } from './checkHatchImageOptions.js';
-import { measureThresholdMoments, type ThresholdMoments } from './measureThresholdMoments.js';
-import { type PackedLevel, packHatchImages, unpackHatchImage } from './packHatchImages.js';
-import { pairThresholdLevels, type ThresholdPair } from './pairThresholdLevels.js';
-import { ThresholdTexture } from './ThresholdTexture.js';
-import { TonalArtMapTexture } from './TonalArtMapTexture.js';
+import { type PackedLevel, packHatchImages, TonalArtMapTexture, unpackHatchImage } from './TonalArtMapTexture.js';
+import {
+  measureThresholdMoments,
+  pairThresholdLevels,
+  type ThresholdMoments,
+  type ThresholdPair,
+  ThresholdTexture,
+} from './thresholds.js';
 
 /** The share of the progress for drawing the images; the rest is for the thresholds. */
 const IMAGES_SHARE = 0.7;

@@ -1,4 +1,4 @@
-import { definesOf } from '../shaders/definesOf.js';
+import { definesOf } from '../shaders/shaderText.js';
 
 /** The sizes of the patterns of media. They are apart from the code that makes the patterns, because shaders need them too. */
 

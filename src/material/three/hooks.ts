@@ -1,6 +1,6 @@
 /** Known in three.js 0.170 to 0.187: the order in which renderers call the hooks of a material, and what they pass. */
 import type { Material, WebGLProgramParametersWithUniforms } from 'three';
-import { warnOfRenderer } from '../warnOfRenderer.js';
+import { warnOfRenderer } from '../diagnostics/warn.js';
 
 type Hooks = Pick<Material, 'onBeforeRender' | 'onBeforeCompile' | 'customProgramCacheKey'>;
 // Arguments and results are only passed on, so any type will do.

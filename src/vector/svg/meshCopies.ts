@@ -1,5 +1,5 @@
 import { type BatchedMesh, Color, type InstancedMesh, Matrix4, type Mesh } from 'three';
-import { isScaledToNothing } from '../../material/outlines/isScaledToNothing.js';
+import { isScaledToNothing } from '../../material/outlines/surfaceRules.js';
 
 /** A placement of a mesh: its own, or that of an instance. */
 export interface MeshCopy {

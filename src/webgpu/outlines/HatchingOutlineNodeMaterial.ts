@@ -24,13 +24,13 @@ import {
   OUTLINE_NUMBER_NAMES,
   type OutlineNumberName,
 } from '../../material/outlines/outlineProperties.js';
-import { createOutlineUniforms } from '../../material/outlines/outlineUniforms.js';
 import {
   checkHidden,
   checkShadeWeights,
+  createOutlineUniforms,
   defineOutlineNumbers,
   writeOutlineLook,
-} from '../../material/outlines/outlineValues.js';
+} from '../../material/outlines/outlineUniforms.js';
 import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
 import { writeSheet } from '../../material/pictureOffset.js';
 import { toothMap } from '../../material/tam/toothMap.js';

@@ -76,7 +76,7 @@ export const maps: readonly Mutation[] = [
   },
   {
     name: 'layers of a map share no tone',
-    file: 'src/material/tam/packHatchImages.ts',
+    file: 'src/material/tam/TonalArtMapTexture.ts',
     find: 'Math.min(3 * layer + channel, tones - 1)',
     replace: 'Math.min(4 * layer + channel, tones - 1)',
     caughtBy: {
@@ -87,7 +87,7 @@ export const maps: readonly Mutation[] = [
   },
   {
     name: 'the margin of thresholds repeats the near side',
-    file: 'src/material/tam/ThresholdTexture.ts',
+    file: 'src/material/tam/thresholds.ts',
     find: '((column - MARGIN) & mask)',
     replace: '(Math.min(Math.max(column - MARGIN, 0), mask))',
     caughtBy: {
@@ -98,7 +98,7 @@ export const maps: readonly Mutation[] = [
   },
   {
     name: 'the coarser variance counts the last level',
-    file: 'src/material/tam/measureThresholdMoments.ts',
+    file: 'src/material/tam/thresholds.ts',
     find: 'if (index === pairs.length - 1) return;',
     replace: '',
     caughtBy: {

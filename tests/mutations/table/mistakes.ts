@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const mistakes: readonly Mutation[] = [
   {
     name: 'a missing await is told each time',
-    file: 'src/material/diagnostics/mustBeAwaited.ts',
+    file: 'src/material/diagnostics/warn.ts',
     find: 'if (!hasWarned) warn',
     replace: 'warn',
     caughtBy: {

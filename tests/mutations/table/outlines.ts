@@ -47,7 +47,7 @@ export const outlines: readonly Mutation[] = [
   },
   {
     name: 'widths of outlines forget the pixel ratio',
-    file: 'src/material/outlines/outlineValues.ts',
+    file: 'src/material/outlines/outlineUniforms.ts',
     find: 'u[name].value *= pixelRatio',
     replace: 'u[name].value *= 1',
     caughtBy: {
@@ -58,7 +58,7 @@ export const outlines: readonly Mutation[] = [
   },
   {
     name: 'weights of shade are exchanged',
-    file: 'src/material/outlines/outlineValues.ts',
+    file: 'src/material/outlines/outlineUniforms.ts',
     find: 'return [lit, shaded];',
     replace: 'return [shaded, lit];',
     caughtBy: {
@@ -69,7 +69,7 @@ export const outlines: readonly Mutation[] = [
   },
   {
     name: 'millimetres are inches',
-    file: 'src/material/outlines/millimetresToPixels.ts',
+    file: 'src/material/outlines/outlineProperties.ts',
     find: '/ MILLIMETRES_PER_INCH;',
     replace: '* MILLIMETRES_PER_INCH;',
     caughtBy: { layer: 'unit', file: 'tests/unit/material/outlines/millimetresToPixels.test.ts', title: 'pixels' },

@@ -12,8 +12,8 @@ import {
 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { HATCHING_PROPERTIES } from '../../../src/look/hatchingProperties.js';
+import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { programSwitches } from '../../../src/material/programDefines.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 

@@ -1,8 +1,8 @@
 import { BoxGeometry, type Group, Mesh, PerspectiveCamera, Scene, type Vector4, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
 import { scaledSizes } from '../../../src/look/measuredFacts.js';
+import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 
 const rendererOf = (pixelRatio: number): WebGLRenderer =>
   ({

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { formFieldOf, runsAway } from '../../../src/look/queries.js';
+import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 
 const SHADOW = { toneModel: 'shadow' } as const;
 

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { mapIsReady, sharedMap } from '../../../src/material/sharedMaps.js';
+import { mapIsReady, sharedMap } from '../../../src/material/mapInUse.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { eventually } from '../patience.js';
 

@@ -1,8 +1,8 @@
 import { BoxGeometry, type BufferGeometry, DataTexture, Group, Mesh, MeshPhysicalMaterial } from 'three';
 import { expect, test } from 'vitest';
 import { GLASS } from '../../../src/look/glass.js';
+import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 
 async function hatched(

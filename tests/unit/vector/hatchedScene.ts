@@ -8,9 +8,9 @@ import {
   PlaneGeometry,
   Scene,
 } from 'three';
+import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
 import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../src/material/HatchingMaterialParameters.js';
 import type { HatchingOutlineParameters } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../src/material/outlines/HatchingOutlines.js';
 

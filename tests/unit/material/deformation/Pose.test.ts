@@ -1,6 +1,6 @@
 import { Bone, BoxGeometry, Mesh, Skeleton, SkinnedMesh } from 'three';
 import { expect, test } from 'vitest';
-import { Pose } from '../../../../src/material/deformation/Pose.js';
+import { Pose } from '../../../../src/material/deformation/Deformation.js';
 
 const skinned = () => {
   const mesh = new SkinnedMesh(new BoxGeometry());

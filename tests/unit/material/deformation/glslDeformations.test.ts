@@ -11,7 +11,7 @@ import {
 } from 'three';
 import { beforeEach, describe, expect, test } from 'vitest';
 import type { Deformation } from '../../../../src/material/deformation/Deformation.js';
-import { glslDeformations } from '../../../../src/material/deformation/glslDeformations.js';
+import { glslDeformations } from '../../../../src/material/deformation/PrePass.js';
 
 const camera = new Camera();
 

@@ -1,8 +1,7 @@
 import { Vector2 } from 'three';
 import { expect, test } from 'vitest';
-import { fitTones } from '../../../../src/material/exposure/ExposureFit.js';
+import { fitTones, WeightedValues } from '../../../../src/material/exposure/ExposureFit.js';
 import { writeFit } from '../../../../src/material/exposure/ToneFit.js';
-import { WeightedValues } from '../../../../src/material/exposure/WeightedValues.js';
 
 /** A hundred values, evenly spread over a range. */
 function spread(from: number, to: number): WeightedValues {

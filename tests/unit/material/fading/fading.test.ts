@@ -1,5 +1,6 @@
 import { Box3, Group, PerspectiveCamera, Vector3, Vector4, type WebGLRenderer } from 'three';
 import { expect, test } from 'vitest';
+import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import {
   createFadingUniforms,
   takesWeight,
@@ -8,7 +9,6 @@ import {
 } from '../../../../src/material/fading/fading.js';
 import { SceneExtent } from '../../../../src/material/fading/SceneExtent.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
 import { writeSheet } from '../../../../src/material/pictureOffset.js';
 
 const renderer = { info: { render: { frame: 0 } } } as unknown as WebGLRenderer;

@@ -21,9 +21,9 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
 import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
 
 const blank = () => new Uint8Array(16).fill(255);

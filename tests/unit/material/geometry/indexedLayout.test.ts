@@ -13,7 +13,7 @@ import {
   type TypedArray,
 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { HatchingStatistics } from '../../../../src/material/geometry/HatchingStatistics.js';
+import type { HatchingStatistics } from '../../../../src/material/geometry/preparedGeometry.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
 import { cornerLayout } from '../../../../src/mesh/bake/attributeLayouts.js';
 

@@ -14,7 +14,7 @@ import {
   type TypedArray,
 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { HatchingStatistics } from '../../../../src/material/geometry/HatchingStatistics.js';
+import type { HatchingStatistics } from '../../../../src/material/geometry/preparedGeometry.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
 import { CORNER_STRIDE, cornerLayout } from '../../../../src/mesh/bake/attributeLayouts.js';
 import { quad, quadIndices, quadPositions, snapshot } from './quad.js';

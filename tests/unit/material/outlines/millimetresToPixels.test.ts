@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { millimetresToPixels } from '../../../../src/material/outlines/millimetresToPixels.js';
+import { millimetresToPixels } from '../../../../src/material/outlines/outlineProperties.js';
 
 test.each([
   [25.4, 300, 300],

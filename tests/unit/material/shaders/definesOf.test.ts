@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { definesOf } from '../../../../src/material/shaders/definesOf.js';
+import { definesOf } from '../../../../src/material/shaders/shaderText.js';
 
 test('numbers are floats or vectors in shaders, and whole ones what is asked for', () => {
   expect(definesOf({ WHOLE: 3, PART: 0.25, SMALL: 1e-7, SLANT: [0.5, 2, -1] })).toBe(

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { resolveIncludes } from '../../../../src/material/shaders/resolveIncludes.js';
+import { resolveIncludes } from '../../../../src/material/shaders/shaderText.js';
 
 describe('resolveIncludes', () => {
   test('replaces our includes, nested ones too, and keeps the rest', () => {

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { measureThresholdMoments } from '../../../../src/material/tam/measureThresholdMoments.js';
-import { pairThresholdLevels } from '../../../../src/material/tam/pairThresholdLevels.js';
+import { measureThresholdMoments, pairThresholdLevels } from '../../../../src/material/tam/thresholds.js';
 import { random as seeded } from '../../../../src/strokes/random.js';
 import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
 import { encodeThresholds } from '../../../../src/strokes/tamImages/thresholds.js';

@@ -1,5 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { packedLayerCount, packHatchImages, unpackHatchImage } from '../../../../src/material/tam/packHatchImages.js';
+import {
+  packedLayerCount,
+  packHatchImages,
+  unpackHatchImage,
+} from '../../../../src/material/tam/TonalArtMapTexture.js';
 
 /** Two texels by two and one texel; the byte encodes tone, level and texel. */
 const images = (tones: number): number[][][] =>

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { pairThresholdLevels } from '../../../../src/material/tam/pairThresholdLevels.js';
-import { packThresholds } from '../../../../src/material/tam/ThresholdTexture.js';
+import { packThresholds, pairThresholdLevels } from '../../../../src/material/tam/thresholds.js';
 import { generateThresholds } from '../../../../src/strokes/tamImages/generateThresholds.js';
 
 function drawn() {

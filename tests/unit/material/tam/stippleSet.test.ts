@@ -1,7 +1,6 @@
 import { expect, test } from 'vitest';
 import { STIPPLE_PERIOD as PERIOD, STIPPLE_MAP_SIZE } from '../../../../src/material/tam/patternSizes.js';
-import { stippleMap } from '../../../../src/material/tam/stippleMap.js';
-import { pointsOf, readStippleSet } from '../../../../src/material/tam/stippleSet.js';
+import { pointsOf, readStippleSet, stippleMap } from '../../../../src/material/tam/stippleMap.js';
 
 const { quarters, births } = readStippleSet();
 const points = pointsOf(quarters);

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { ShaderChunk } from 'three';
 import { describe, expect, test } from 'vitest';
-import { resolveIncludes } from '../../../../src/material/shaders/resolveIncludes.js';
+import { resolveIncludes } from '../../../../src/material/shaders/shaderText.js';
 import { shadowDepthChunk, shadowMapsChunk } from '../../../../src/material/three/shadowMaps.js';
 
 const chunkOf = (version: string) => {

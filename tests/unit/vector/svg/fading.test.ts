@@ -1,8 +1,8 @@
 import { Box3, Group, type Mesh, MeshBasicMaterial, OrthographicCamera, PlaneGeometry, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
+import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { SceneExtent } from '../../../../src/material/fading/SceneExtent.js';
 import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';

@@ -12,7 +12,7 @@ import {
   Vector3,
 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
+import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, type HatchedLook, hatchedMesh, sceneOf } from '../hatchedScene.js';

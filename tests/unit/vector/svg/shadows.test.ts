@@ -1,6 +1,6 @@
 import { DirectionalLight, DoubleSide, Mesh, MeshBasicMaterial, PlaneGeometry, Scene, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
+import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { type DrawSVGOptions, drawSVG } from '../../../../src/vector/svg/index.js';
 import { cases } from '../../../selection.mjs';
 import { cameraAt, hatchedMesh } from '../hatchedScene.js';

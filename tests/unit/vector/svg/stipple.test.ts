@@ -12,9 +12,9 @@ import {
   Vector3,
 } from 'three';
 import { describe, expect, test } from 'vitest';
+import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
-import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cases } from '../../../selection.mjs';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';

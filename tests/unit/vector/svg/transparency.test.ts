@@ -1,6 +1,6 @@
 import { DataTexture, Float32BufferAttribute, Mesh, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { HatchingMaterialParameters } from '../../../../src/material/HatchingMaterialParameters.js';
+import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cameraAt, planeOfTone, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf } from '../paths.js';
