@@ -37,6 +37,7 @@ export type { HatchingMap, Vector2Like, Vector3Like } from './material/propertyV
 export { TonalArtMap, type TonalArtMapOptions } from './material/tam/TonalArtMap.js';
 export type { TonalArtMapTexture } from './material/tam/TonalArtMapTexture.js';
 export type { ThresholdMoments, ThresholdTexture } from './material/tam/thresholds.js';
+export type { SpriteLike } from './material/three/posing.js';
 export type { EdgeCounts } from './mesh/adjacency/pairEdges.js';
 export { AdaptiveResolution, type AdaptiveResolutionOptions } from './scene/AdaptiveResolution.js';
 export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
