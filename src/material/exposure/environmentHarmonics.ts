@@ -20,6 +20,19 @@ export function harmonicsOf(texture: Texture): Harmonics {
 
 const direction = /* @__PURE__ */ new Vector3();
 
+/**
+ * The directions to places (s, t) on the faces of a cube, in the order and with the axes of OpenGL: for each of x, y and z a number, and
+ * the factors on s and t.
+ */
+const CUBE_FACES = [
+  [1, 0, 0, 0, 0, -1, 0, -1, 0],
+  [-1, 0, 0, 0, 0, -1, 0, 1, 0],
+  [0, 1, 0, 1, 0, 0, 0, 0, 1],
+  [0, 1, 0, -1, 0, 0, 0, 0, -1],
+  [0, 1, 0, 0, 0, -1, 1, 0, 0],
+  [0, -1, 0, 0, 0, -1, -1, 0, 0],
+];
+
 function project(texture: Texture): Harmonics | undefined {
   const sums = new Float64Array(10);
   if ('isCubeTexture' in texture) {
@@ -31,7 +44,9 @@ function project(texture: Texture): Harmonics | undefined {
       const pixels = luminances(image, texture);
       if (!pixels) return undefined;
       addImage(sums, pixels, (s, t) => {
-        cubeDirection(face, 2 * s - 1, 2 * t - 1);
+        const [a, b] = [2 * s - 1, 2 * t - 1];
+        const f = CUBE_FACES[face];
+        direction.set(f[0] + f[1] * a + f[2] * b, f[3] + f[4] * a + f[5] * b, f[6] + f[7] * a + f[8] * b);
         const size = direction.lengthSq();
         direction.x *= mirror;
         direction.normalize();
@@ -77,28 +92,5 @@ function addImage(
       for (let i = 0; i < 9; i++) sums[i] += light * basis[i];
       sums[9] += size;
     }
-  }
-}
-
-/** Writes the direction to a place on a face of a cube, not of unit length, in the order and with the axes of OpenGL. */
-function cubeDirection(face: number, s: number, t: number): void {
-  switch (face) {
-    case 0:
-      direction.set(1, -t, -s);
-      break;
-    case 1:
-      direction.set(-1, -t, s);
-      break;
-    case 2:
-      direction.set(s, 1, t);
-      break;
-    case 3:
-      direction.set(s, -1, -t);
-      break;
-    case 4:
-      direction.set(s, -t, 1);
-      break;
-    default:
-      direction.set(-s, -t, -1);
   }
 }

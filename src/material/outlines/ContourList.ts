@@ -1,4 +1,4 @@
-import { DataTexture, RGBAIntegerFormat, type Sphere, UnsignedIntType, type Vector4 } from 'three';
+import { DataTexture, RGBAIntegerFormat, type Sphere, UnsignedIntType, Vector4 } from 'three';
 import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import { type ContourSearch, findCandidates } from '../../mesh/features/contourCandidates.js';
 import { runTask } from '../../worker/runTask.js';
@@ -22,7 +22,7 @@ export class ContourList {
   /** The outline data that the list was made from. */
   private data: OutlineData | null = null;
   /** The eye position that the list was made for. */
-  private readonly eye: [number, number, number, number] = [0, 0, 0, 0];
+  private readonly eye = new Vector4();
   /** The distance that the eye may move before the list is out of date; negative if there is no list. */
   private reach = -1;
   private isSearching = false;
@@ -47,14 +47,14 @@ export class ContourList {
       this.data = data;
       this.reach = -1;
     }
-    const moved = this.distanceTo(eye);
+    const moved = eyeDistance(this.eye, eye);
     if (moved <= (isSearchedInWorker ? 0.5 : 1) * this.reach) return true;
     if (isSearchedInWorker) {
       if (search && !this.isSearching) this.searchInWorker(data, search, eye, SINE_IN_WORKER * room);
       return moved <= this.reach;
     }
     this.remember(eye, SINE * room);
-    this.fill(search!, findCandidates(search!, this.eye, SINE));
+    this.fill(search!, findCandidates(search!, this.eye.toArray(), SINE));
     return true;
   }
 
@@ -65,30 +65,14 @@ export class ContourList {
     this.reach = -1;
   }
 
-  /**
-   * The distance that the eye has moved. Arrays are not destructured here and below, because that would leave garbage in every frame.
-   */
-  private distanceTo(other: Vector4): number {
-    const { eye } = this;
-    if (other.w !== eye[3]) return Infinity;
-    const x = other.x - eye[0];
-    const y = other.y - eye[1];
-    const z = other.z - eye[2];
-    return Math.sqrt(x * x + y * y + z * z);
-  }
-
-  private remember(other: Vector4, reach: number): void {
-    const { eye } = this;
-    eye[0] = other.x;
-    eye[1] = other.y;
-    eye[2] = other.z;
-    eye[3] = other.w;
+  private remember(eye: Vector4, reach: number): void {
+    this.eye.copy(eye);
     this.reach = reach;
   }
 
   private searchInWorker(data: OutlineData, search: ContourSearch, eye: Vector4, reach: number): void {
     const requestedEye = eye.clone();
-    const request = { search, eye: [eye.x, eye.y, eye.z, eye.w] as const, sine: SINE_IN_WORKER };
+    const request = { search, eye: eye.toArray(), sine: SINE_IN_WORKER };
     this.isSearching = true;
     data.search = null;
     runTask('searchContours', request, { createWorker: data.createWorker })
@@ -124,4 +108,13 @@ export class ContourList {
     this.texture = new DataTexture(words, width, height, RGBAIntegerFormat, UnsignedIntType);
     return this.texture;
   }
+}
+
+/** The distance that an eye has moved; infinite between cameras of different kinds. `Math.hypot` would leave garbage in every frame. */
+export function eyeDistance(a: Vector4, b: Vector4): number {
+  if (a.w !== b.w) return Infinity;
+  const x = a.x - b.x;
+  const y = a.y - b.y;
+  const z = a.z - b.z;
+  return Math.sqrt(x * x + y * y + z * z);
 }

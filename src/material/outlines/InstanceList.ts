@@ -7,11 +7,12 @@ import {
   RGBAIntegerFormat,
   UnsignedIntType,
   Vector3,
-  type Vector4,
+  Vector4,
 } from 'three';
 import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 import { findCandidates } from '../../mesh/features/contourCandidates.js';
 import type { OutlineData } from '../geometry/OutlineData.js';
+import { eyeDistance } from './ContourList.js';
 
 /** The sine of the angle through which the direction from an instance to the eye may turn before a new list is needed. */
 const SINE = Math.sin((3 * Math.PI) / 180);
@@ -136,34 +137,19 @@ class View {
   private matrices: object | null = null;
   private version = -1;
   private count = -1;
-  private x = 0;
-  private y = 0;
-  private z = 0;
-  private w = 0;
+  private readonly eye = new Vector4();
 
-  set({ instanceMatrix, count }: InstancedMesh, { x, y, z, w }: Vector4): void {
+  set({ instanceMatrix, count }: InstancedMesh, eye: Vector4): void {
     this.matrices = instanceMatrix;
     this.version = instanceMatrix.version;
     this.count = count;
-    this.x = x;
-    this.y = y;
-    this.z = z;
-    this.w = w;
+    this.eye.copy(eye);
   }
 
   /** The distance that the eye has moved; infinite if the instances have changed. */
   distanceTo({ instanceMatrix, count }: InstancedMesh, eye: Vector4): number {
-    const isSame =
-      instanceMatrix === this.matrices &&
-      instanceMatrix.version === this.version &&
-      count === this.count &&
-      eye.w === this.w;
-    if (!isSame) return Infinity;
-    // Math.hypot would leave garbage in every frame.
-    const x = eye.x - this.x;
-    const y = eye.y - this.y;
-    const z = eye.z - this.z;
-    return Math.sqrt(x * x + y * y + z * z);
+    const isSame = instanceMatrix === this.matrices && instanceMatrix.version === this.version && count === this.count;
+    return isSame ? eyeDistance(this.eye, eye) : Infinity;
   }
 }
 

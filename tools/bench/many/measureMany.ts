@@ -108,8 +108,18 @@ async function looksFor({ isInstanced }: Things): Promise<Record<string, Look>> 
     engraving: { material: preset('engraving') },
     pencil: { material: preset('pencil') },
     'engraving, lines from mesh to mesh': { material: preset('engraving'), hasFrame: true },
+    'the same, all uniforms for each': { material: uploadingAll(preset('engraving')), hasFrame: true },
     'pen, with outlines': { material: preset('pen'), hasOutlines: true },
   };
+}
+
+/** Has three.js upload every uniform again for each mesh, as it would without `MeshUniforms`. */
+function uploadingAll(material: HatchingMaterial): HatchingMaterial {
+  const want = (): void => {
+    material.uniformsNeedUpdate = true;
+  };
+  Object.assign(material.ofMesh, { want });
+  return material;
 }
 
 function sceneOf(objects: readonly Object3D[]): Scene {
