@@ -1,6 +1,11 @@
 import { Color, type MaterialParameters, type NormalMapTypes, type Texture } from 'three';
 import type { HatchingNumber, HatchingProperty } from '../look/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from '../look/hatchingProperties.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from '../look/hatchingProperties.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { isDefault } from '../look/presetParameters.js';
 import { isUsedBy } from '../look/queries.js';

@@ -1,7 +1,7 @@
 import { Material, Plane, type Texture, Vector2, Vector3 } from 'three';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import type { HatchingMaterialParameters } from './checkValues.js';
 import { isDefault, plainValue } from '../look/presetParameters.js';
+import type { HatchingMaterialParameters } from './checkValues.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { isTonalArtMap } from './propertyValues.js';
 

@@ -1,4 +1,17 @@
-import { DataArrayTexture, DataTexture, type IUniform, LinearFilter, Matrix3, RGFormat, type Texture, UniformsLib, UniformsUtils, Vector2, Vector3, Vector4 } from 'three';
+import {
+  DataArrayTexture,
+  DataTexture,
+  type IUniform,
+  LinearFilter,
+  Matrix3,
+  RGFormat,
+  type Texture,
+  UniformsLib,
+  UniformsUtils,
+  Vector2,
+  Vector3,
+  Vector4,
+} from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { runsAway } from '../look/queries.js';

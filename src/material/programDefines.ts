@@ -1,7 +1,7 @@
 import type { Texture } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import { needsAdjacency, drawnValue } from '../look/queries.js';
+import { drawnValue, needsAdjacency } from '../look/queries.js';
 import { VERTEX_LAYOUTS, type VertexLayout } from './deformation/canDeform.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';

@@ -1,7 +1,10 @@
 import type { Camera, Material, Mesh, WebGLRenderer } from 'three';
-import type { HatchingMaterialParameters } from '../material/checkValues.js';
 import type { PresetName } from '../look/presetMaterials.js';
-import type { OutlineOptions, PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import type { HatchingMaterialParameters } from '../material/checkValues.js';
+import type {
+  OutlineOptions,
+  PrepareHatchingGeometryOptions,
+} from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';

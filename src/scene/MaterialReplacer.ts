@@ -1,8 +1,8 @@
-import type { Material, Mesh, Color, NormalMapTypes, Texture, Vector2 } from 'three';
-import type { HatchingMaterialParameters } from '../material/checkValues.js';
+import { type Color, Material, type Mesh, type NormalMapTypes, type Texture, type Vector2 } from 'three';
 import { GLASS } from '../look/glass.js';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import type { HatchingMaterialParameters } from '../material/checkValues.js';
 import { deforms } from '../material/deformation/canDeform.js';
 import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';

@@ -1,8 +1,8 @@
 import type { Mesh, Object3D } from 'three';
+import type { PresetName } from '../look/presetMaterials.js';
 import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import { isPromise, warn } from '../material/diagnostics/warn.js';
-import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { startWorker } from '../worker/runTask.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { resolveOptions } from './applyOptions.js';
@@ -12,7 +12,6 @@ import type { FirstFrame } from './FirstFrame.js';
 import type { OldLook } from './geometryPlans.js';
 import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import type { HatchingCall, LookMakers, OldLooks } from './HatchingCall.js';
-import type { PresetName } from '../look/presetMaterials.js';
 import { claimMeshes, isHatching, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 
 export type { LookMakers };

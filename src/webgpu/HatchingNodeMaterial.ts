@@ -1,11 +1,31 @@
-import { type Camera, type Color, type IUniform, type Light, Material, Matrix3, Matrix4, type Mesh, type Scene, type Vector2, Vector4, type WebGLRenderer } from 'three';
-import { EnvironmentNode, Node, type NodeBuilder, type NodeFrame, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
+import {
+  type Camera,
+  type Color,
+  type IUniform,
+  type Light,
+  Material,
+  Matrix3,
+  Matrix4,
+  type Mesh,
+  type Scene,
+  type Vector2,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
+import {
+  EnvironmentNode,
+  Node,
+  type NodeBuilder,
+  type NodeFrame,
+  NodeMaterial,
+  type WebGPURenderer,
+} from 'three/webgpu';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { PresetName } from '../look/presetMaterials.js';
-import { spelledOut, defaultOf } from '../look/presetParameters.js';
-import { formOf, needsMap, usesThresholds, resolveLook } from '../look/queries.js';
-import { type HatchingMaterialParameters, checkChoice, checkValues } from '../material/checkValues.js';
+import { defaultOf, spelledOut } from '../look/presetParameters.js';
+import { formOf, needsMap, resolveLook, usesThresholds } from '../look/queries.js';
+import { checkChoice, checkValues, type HatchingMaterialParameters } from '../material/checkValues.js';
 import { FrameStamp } from '../material/FrameStamp.js';
 import { takesWeight, writeFading, writeImportance } from '../material/fading/fading.js';
 import type { SceneExtent } from '../material/fading/SceneExtent.js';
@@ -14,7 +34,14 @@ import { hasOtherFormAngle, noteFormAngle } from '../material/geometry/formAngle
 import { lineContrast } from '../material/geometry/lineFades.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { propertiesToJSON } from '../material/hatchingJSON.js';
-import { createHatchingUniforms, writeComputedUniforms, writeCurveUniforms, writeMapUniforms, writePropertyUniforms, writeSizeUniforms } from '../material/hatchingUniforms.js';
+import {
+  createHatchingUniforms,
+  writeComputedUniforms,
+  writeCurveUniforms,
+  writeMapUniforms,
+  writePropertyUniforms,
+  writeSizeUniforms,
+} from '../material/hatchingUniforms.js';
 import { fittingMap, mapIsReady, sharedMap } from '../material/mapInUse.js';
 import { writeFieldFrame } from '../material/parts/fieldFrame.js';
 import { writePartUniforms } from '../material/pictureOffset.js';
@@ -22,9 +49,8 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { type HatchingMap, withVectors } from '../material/propertyValues.js';
 import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
-import { exposureReady, writeExposure } from './fittedExposure.js';
 import { maxTextureSize, warnOnce } from './deviceLimits.js';
-import { dotLayerOf, patternReady, writePattern } from './fetchedCode.js';
+import { dotLayerOf, exposureReady, patternReady, writeExposure, writePattern } from './fetchedCode.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
 import { darknessOf, emitVertex } from './hatchSurface.js';
 import { lightLuminance, pixelFromBelow } from './nodes/base/maths.js';

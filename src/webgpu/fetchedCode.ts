@@ -1,7 +1,6 @@
 /** Code that is fetched when a material first needs it: patterns of media, and the fit of the exposure. */
 import type { Camera, DataTexture, IUniform, Scene, WebGLRenderer } from 'three';
-import { isFitted } from '../material/exposure/isFitted.js';
-import { writeFit } from '../material/exposure/ToneFit.js';
+import { isFitted, writeFit } from '../material/exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import type { hatchLayer } from './nodes/anchored/stipple.js';
 

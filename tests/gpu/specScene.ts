@@ -28,8 +28,7 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
-import { pairThresholdLevels } from '../../src/material/tam/thresholds.js';
-import { ThresholdTexture } from '../../src/material/tam/thresholds.js';
+import { pairThresholdLevels, ThresholdTexture } from '../../src/material/tam/thresholds.js';
 import { plainLook } from '../../tools/plainLook.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
 import type { Vec3 } from '../reference/referenceAdjacency.js';

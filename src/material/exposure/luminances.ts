@@ -1,5 +1,5 @@
 import { DataUtils, HalfFloatType, SRGBColorSpace, type Texture } from 'three';
-import { lightness, luminanceOf } from '../../look/luminance.js';
+import { lightness, luminanceOf } from '../../look/vectors.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { SurfaceSamples } from './surfaceSamples.js';
 

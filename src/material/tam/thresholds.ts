@@ -1,5 +1,5 @@
 import { DataTexture, LinearFilter, NoColorSpace, RGFormat, UnsignedByteType } from 'three';
-import { LIMIT, type ThresholdLevel } from '../../strokes/tamImages/encodeThresholds.js';
+import { LIMIT, type ThresholdLevel } from '../../strokes/tamImages/thresholds.js';
 
 /** A level of thresholds and the next coarser level at the same resolution, both encoded as in {@link ThresholdLevel}. */
 export interface ThresholdPair {

@@ -1,5 +1,5 @@
-import { acceptLook, hasLook, type OwnLook } from '../../viewer/settings/presets.js';
 import { plainName } from '../../viewer/settings/CameraView.js';
+import { acceptLook, hasLook, type OwnLook } from '../../viewer/settings/presets.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { findElement } from '../page/elements.js';
 import { newId } from '../session/DrawingStore.js';

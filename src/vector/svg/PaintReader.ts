@@ -1,9 +1,26 @@
-import { type BufferAttribute, type Color, type Material, Matrix3, type Mesh, MirroredRepeatWrapping, ObjectSpaceNormalMap, RepeatWrapping, type Texture } from 'three';
-import { type Vec3, luminanceOf } from '../../look/vectors.js';
-import { type ToneFit, isFitted } from '../../material/exposure/ToneFit.js';
+import {
+  type BufferAttribute,
+  type Color,
+  type Material,
+  Matrix3,
+  type Mesh,
+  MirroredRepeatWrapping,
+  ObjectSpaceNormalMap,
+  RepeatWrapping,
+  type Texture,
+} from 'three';
+import { luminanceOf, type Vec3 } from '../../look/vectors.js';
+import { isFitted, type ToneFit } from '../../material/exposure/ToneFit.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { isSharp, readImage } from '../../material/readImage.js';
-import { type MapLook, type PaintLook, TONE_MAPS, type ToneImage, type ToneMap, type Wrapping } from '../paint/PaintLook.js';
+import {
+  type MapLook,
+  type PaintLook,
+  TONE_MAPS,
+  type ToneImage,
+  type ToneMap,
+  type Wrapping,
+} from '../paint/PaintLook.js';
 import type { Mat3 } from '../shading/screenGradient.js';
 import type { MeshCopy } from './meshCopies.js';
 import { rowsOf } from './surfaceFrame.js';

@@ -1,7 +1,16 @@
-import { type IUniform, type Mesh, type Vector2, type Camera, type Material, type Object3D, Vector3, Vector4 } from 'three';
+import {
+  type Camera,
+  type IUniform,
+  type Material,
+  type Mesh,
+  type Object3D,
+  type Vector2,
+  Vector3,
+  Vector4,
+} from 'three';
 import { resolveLook } from '../../look/queries.js';
 import { luminanceOf } from '../../look/vectors.js';
-import { type ToneFit, isFitted } from '../../material/exposure/ToneFit.js';
+import { isFitted, type ToneFit } from '../../material/exposure/ToneFit.js';
 import { type FadingLook, importanceOf, takesWeight, writeDepthFading } from '../../material/fading/fading.js';
 import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
 import { fittedCurve } from '../../material/fitToneCurve.js';

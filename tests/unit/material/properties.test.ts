@@ -2,9 +2,13 @@ import { readFileSync } from 'node:fs';
 import { Color, DoubleSide, MaterialLoader, Texture, Vector2, Vector3 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import type { NumberRange } from '../../../src/look/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../src/look/hatchingProperties.js';
-import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+} from '../../../src/look/hatchingProperties.js';
 import { defaultOf } from '../../../src/look/presetParameters.js';
+import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { outputs } from '../../../tools/properties/outputs.js';

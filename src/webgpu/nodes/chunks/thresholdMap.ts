@@ -1,6 +1,6 @@
+import { blankThresholdMap } from '../../../material/hatchingUniforms.js';
 import { hatchingTexture, hatchingUniform } from '../base/uniforms.js';
 import { type TextureValue, tsl, type Value } from '../base/values.js';
-import { blankThresholdMap } from '../../../material/hatchingUniforms.js';
 
 const { clamp, dot, exp2, floor, fract, inverseSqrt, log2, min, mix, vec2, vec3, vec4 } = tsl;
 

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { type KeptLook, KeptLooks, MOST_LOOKS } from '../../../../src/playground/savedLooks/SavedLooks.js';
-import { presetLook, acceptLook, hasLook } from '../../../../src/viewer/settings/presets.js';
+import { acceptLook, hasLook, presetLook } from '../../../../src/viewer/settings/presets.js';
 import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 
 /** Storage that can be full, and shared by several tabs. */

@@ -1,7 +1,25 @@
-import { BoxGeometry, BufferAttribute, Color, DataTexture, InstancedMesh, LinearFilter, Matrix4, Mesh, MeshBasicMaterial, ObjectSpaceNormalMap, PlaneGeometry, RepeatWrapping, RGBAFormat, SphereGeometry, SRGBColorSpace, Texture, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  Color,
+  DataTexture,
+  InstancedMesh,
+  LinearFilter,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  ObjectSpaceNormalMap,
+  PlaneGeometry,
+  RepeatWrapping,
+  RGBAFormat,
+  SphereGeometry,
+  SRGBColorSpace,
+  Texture,
+  Vector3,
+} from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
-import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { lightness } from '../../../../src/look/vectors.js';
+import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import { cases } from '../../../selection.mjs';
 import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../hatchedScene.js';
