@@ -1,6 +1,6 @@
 import process from 'node:process';
 import { version } from '../../package.json';
-import { runSliced } from '../mesh/phases.js';
+import { runSliced } from '../mesh/runSliced.js';
 import { requestOfHand } from '../strokes/handStyle.js';
 import type { MapFile } from '../strokes/mapFiles/mapFiles.js';
 import { writeMapFiles } from '../strokes/mapFiles/writeMapFiles.js';

@@ -1,5 +1,5 @@
 import type { OcclusionScene } from '../mesh/occlusion/OcclusionScene.js';
-import { runSliced } from '../mesh/phases.js';
+import { runSliced } from '../mesh/runSliced.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 

@@ -1,4 +1,4 @@
-import { runSliced, type SlicedOptions } from '../mesh/phases.js';
+import { runSliced, type SlicedOptions } from '../mesh/runSliced.js';
 import { awaitEnd, type FromWorker, type ToWorker, unpackError } from './protocol.js';
 import { SILENCE_SECONDS, SilenceWatch } from './SilenceWatch.js';
 import type { AnyTask, NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';

@@ -1,4 +1,4 @@
-import type { SlicedOptions } from '../mesh/phases.js';
+import type { SlicedOptions } from '../mesh/runSliced.js';
 import { type MakeAgain, TaskClient } from './TaskClient.js';
 import { maxWorkers } from './TaskOptions.js';
 import type { NameIn, RequestOf, ResultOf, TaskSet, Tasks } from './TaskSet.js';

@@ -1,4 +1,4 @@
-import { runSliced } from '../mesh/phases.js';
+import { runSliced } from '../mesh/runSliced.js';
 import { type FromWorker, holdLifeLock, packError, type ToWorker } from './protocol.js';
 import { type AnyTask, buffersIn, type Tasks } from './TaskSet.js';
 

@@ -7,6 +7,7 @@ export const OFFERS = {
   mesh: [
     'corners.ts',
     'phases.ts',
+    'runSliced.ts',
     'TriangleMesh.ts',
     'weldPositions.ts',
     'adjacency/pairEdges.ts',

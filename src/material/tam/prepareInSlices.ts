@@ -1,4 +1,4 @@
-import { runSliced } from '../../mesh/phases.js';
+import { runSliced } from '../../mesh/runSliced.js';
 import { requestOfHand } from '../../strokes/handStyle.js';
 import type { MapRequest } from '../../strokes/tamImages/generateHatchImages.js';
 import type { MapDrawing } from '../../strokes/tamImages/hatchImageOptions.js';

@@ -1,5 +1,5 @@
 import type { Camera, Object3D } from 'three';
-import { runSliced } from '../../mesh/phases.js';
+import { runSliced } from '../../mesh/runSliced.js';
 import { runTaskOf } from '../../worker/runTask.js';
 import type { TaskSet } from '../../worker/TaskSet.js';
 import type { DrawnScene } from '../DrawnScene.js';

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const slices: readonly Mutation[] = [
   {
     name: 'a task that is aborted keeps what it holds',
-    file: 'src/mesh/phases.ts',
+    file: 'src/mesh/runSliced.ts',
     find: '    task.return(undefined as never);\n',
     replace: '',
     caughtBy: {
@@ -14,7 +14,7 @@ export const slices: readonly Mutation[] = [
   },
   {
     name: 'progress is reported though it does not rise',
-    file: 'src/mesh/phases.ts',
+    file: 'src/mesh/runSliced.ts',
     find: 'value > reported',
     replace: 'value >= reported',
     caughtBy: {

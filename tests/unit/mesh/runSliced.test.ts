@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { runSliced } from '../../../src/mesh/phases.js';
+import { runSliced } from '../../../src/mesh/runSliced.js';
 
 /** A clock that only the tasks below advance. */
 let now = 0;

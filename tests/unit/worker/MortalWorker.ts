@@ -1,4 +1,4 @@
-import { runSliced } from '../../../src/mesh/phases.js';
+import { runSliced } from '../../../src/mesh/runSliced.js';
 import type { ToWorker } from '../../../src/worker/protocol.js';
 import type { AnyTask } from '../../../src/worker/TaskSet.js';
 import { type BakingTasks, tasks } from '../../../src/worker/tasks.js';

@@ -1,6 +1,6 @@
 import { TorusGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
-import { runSliced } from '../../../../src/mesh/phases.js';
+import { runSliced } from '../../../../src/mesh/runSliced.js';
 import { lineTasks } from '../../../../src/vector/drawLines.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
 import type { ToWorker } from '../../../../src/worker/protocol.js';
