@@ -12,6 +12,7 @@ import {
   Sphere,
   Vector3,
 } from 'three';
+import { luminanceOf } from '../../look/luminance.js';
 import { counts } from '../../look/measuredFacts.js';
 import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { isFitted } from '../exposure/ToneFit.js';
@@ -63,7 +64,7 @@ export function lightOn({ center, radius }: Sphere, scene: Object3D, camera: Cam
   scene.traverseVisible((object) => {
     if (!('isLight' in object) || !object.layers.test(camera.layers)) return;
     const light = object as Light;
-    const full = light.intensity * luminance(light.color);
+    const full = light.intensity * luminanceOf(light.color);
     if (full > 0 && !(light as Partial<AmbientLight>).isAmbientLight) sum.hasForm = true;
     switch (light.type) {
       case 'AmbientLight':
@@ -71,7 +72,7 @@ export function lightOn({ center, radius }: Sphere, scene: Object3D, camera: Cam
         add(full, full);
         break;
       case 'HemisphereLight': {
-        const ground = light.intensity * luminance((light as HemisphereLight).groundColor);
+        const ground = light.intensity * luminanceOf((light as HemisphereLight).groundColor);
         add(Math.min(full, ground), Math.max(full, ground));
         break;
       }
@@ -95,9 +96,6 @@ function lampAt({ decay, distance: reach }: PointLight, full: number, distance: 
   const left = full / Math.max(distance ** decay, 0.01);
   return reach > 0 ? left * Math.max(1 - (distance / reach) ** 4, 0) ** 2 : left;
 }
-
-/** The luminance of a colour in three's linear working space. */
-export const luminance = ({ r, g, b }: Color): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 /** Sums of intensities below and above which nearly everything is black or blank. A single light of intensity 1 is too dark. */
 const TOO_DARK = Math.PI / 3;
@@ -129,7 +127,7 @@ export function findLightMistake(draws: readonly FirstDraw[], note: NoteMistake)
 /** Whether a mesh shows its form under any light: by light maps, emission or baked occlusion. */
 function hasOwnForm({ material, geometry }: FirstDraw): boolean {
   const { lightMap, aoMap, emissive, emissiveIntensity, occlusion } = material;
-  if (lightMap || aoMap || luminance(emissive as Color) * (emissiveIntensity as number) > 0) return true;
+  if (lightMap || aoMap || luminanceOf(emissive as Color) * (emissiveIntensity as number) > 0) return true;
   const normals = geometry.attributes[hatchNormal.name] as BufferAttribute | undefined;
   if (occlusion === 0 || !normals?.array) return false;
   for (let i = 0; i < normals.count; i++) if (normals.getW(i) !== 0) return true;
