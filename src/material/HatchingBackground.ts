@@ -23,11 +23,11 @@ import {
   type BackgroundNumberName,
   HATCHING_BACKGROUND_DEFAULTS,
 } from './backgroundProperties.js';
+import { checkNumber } from './checkNumber.js';
 import { warnOfRenderer } from './diagnostics/warn.js';
 import { SceneExtent } from './fading/SceneExtent.js';
 import { keptFromProxies } from './hatchingUniforms.js';
 import { writeSheet } from './pictureOffset.js';
-import { checkNumber } from './propertyValues.js';
 import type { Shaders } from './shaders/hatchingShaders.js';
 import { conventionsChunk } from './shaders/shaderConventions.js';
 import { definesOf, resolveIncludes } from './shaders/shaderText.js';

@@ -9,11 +9,12 @@ import {
 import type { PresetName } from '../look/presetMaterials.js';
 import { isDefault } from '../look/presetParameters.js';
 import { isUsedBy } from '../look/queries.js';
+import { checkNumber } from './checkNumber.js';
 import { warn } from './diagnostics/warn.js';
 import type { SceneExtent } from './fading/SceneExtent.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialOptions } from './HatchingMaterialProperties.js';
-import { checkHatchingMap, checkNumber, type HatchingMap, isVector2Like, isVector3Like } from './propertyValues.js';
+import { checkHatchingMap, type HatchingMap, isVector2Like, isVector3Like } from './propertyValues.js';
 
 /** The parameters of `new HatchingMaterial()` and `setValues()`. */
 export type HatchingMaterialParameters = MaterialParameters &

@@ -1,14 +1,10 @@
 import { Color, Vector2, type Vector3 } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import {
-  HATCHING_DEFAULTS,
-  HATCHING_PROPERTIES,
-  type HatchingPropertyName,
-  type HatchingTechnique,
-} from '../look/hatchingProperties.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from '../look/hatchingProperties.js';
+import { checkNumber } from './checkNumber.js';
 import { defaultOf } from '../look/presetParameters.js';
 import { checkPoint, isWord } from './checkValues.js';
-import { checkHatchingMap, checkNumber, type HatchingMap, toPoint } from './propertyValues.js';
+import { checkHatchingMap, type HatchingMap, toPoint } from './propertyValues.js';
 
 /** The storage of a material's properties, for GLSL or nodes. */
 interface PropertyHolder {

@@ -77,6 +77,7 @@ export const OFFERS = {
   ],
   material: [
     'backgroundProperties.ts',
+    'checkNumber.ts',
     'propertyValues.ts',
     'checkValues.ts',
     'fieldFrameName.ts',

@@ -1,5 +1,5 @@
 import type { HatchingCondition } from '../../src/look/HatchingProperty.js';
-import { describeRange } from '../../src/material/propertyValues.js';
+import { describeRange } from '../../src/material/checkNumber.js';
 import { measureWords } from './measures.js';
 import type { PropertyRow } from './PropertyRow.js';
 

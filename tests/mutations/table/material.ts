@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const material: readonly Mutation[] = [
   {
     name: 'a number at the end of its range is refused',
-    file: 'src/material/propertyValues.ts',
+    file: 'src/material/checkNumber.ts',
     find: 'value <= to',
     replace: 'value < to',
     caughtBy: {
