@@ -1,8 +1,13 @@
 import { Color, Vector2, type Vector3 } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName, type HatchingTechnique } from '../look/hatchingProperties.js';
-import { checkNumber } from './checkNumber.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+} from '../look/hatchingProperties.js';
 import { defaultOf } from '../look/presetParameters.js';
+import { checkNumber } from './checkNumber.js';
 import { checkPoint, isWord } from './checkValues.js';
 import { checkHatchingMap, type HatchingMap, toPoint } from './propertyValues.js';
 

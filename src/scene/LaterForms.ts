@@ -5,13 +5,23 @@ import { expectForm, isFormed } from '../material/geometry/formGeometry.js';
 import { crossAngleOf, type HatchingFormOptions } from '../material/geometry/HatchingFormOptions.js';
 import { identityOf } from '../material/geometry/identityOf.js';
 import { fadeIn, fadeOut, showLines } from '../material/geometry/lineFades.js';
-import { MANY_TRIANGLES, type PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import {
+  MANY_TRIANGLES,
+  type PrepareHatchingGeometryOptions,
+} from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import { runSliced } from '../mesh/runSliced.js';
 import { bakeGeometries } from './bakeGeometries.js';
 import type { FirstFrame } from './FirstFrame.js';
-import { askingMaterials, cornerCount, crossingOf, type GeometryPlan, type MeshLook, type PlannedMesh } from './geometryPlans.js';
+import {
+  askingMaterials,
+  cornerCount,
+  crossingOf,
+  type GeometryPlan,
+  type MeshLook,
+  type PlannedMesh,
+} from './geometryPlans.js';
 import type { MakeLevels } from './levelMaker.js';
 import { isBatched } from './surfaceMeshes.js';
 

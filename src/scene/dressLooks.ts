@@ -12,7 +12,7 @@ import { describeObject } from '../material/diagnostics/describeObject.js';
 import { SceneExtent } from '../material/fading/SceneExtent.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import { cornerLayout } from '../mesh/bake/attributeLayouts.js';
-import { runSliced } from '../mesh/phases.js';
+import { runSliced } from '../mesh/runSliced.js';
 import { type ChosenMeshes, failure, sentencesOf } from './chooseMeshes.js';
 import { type MeshLook, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import { HatchedScene, type SkippedMesh } from './HatchedScene.js';

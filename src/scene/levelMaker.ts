@@ -1,13 +1,13 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
-import { runSliced } from '../mesh/runSliced.js';
-import { LeveledMesh, LeveledGeometry } from './LeveledMesh.js';
 import { warn } from '../material/diagnostics/warn.js';
 import { isFormExpected } from '../material/geometry/formGeometry.js';
 import { formLayout, hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import type { DetailRequest } from '../mesh/detail/simplifyHatched.js';
+import { runSliced } from '../mesh/runSliced.js';
 import { runTask } from '../worker/runTask.js';
 import type { TaskOptions } from '../worker/TaskOptions.js';
 import type { MeshLook } from './geometryPlans.js';
+import { LeveledGeometry, LeveledMesh } from './LeveledMesh.js';
 import { isBatched } from './surfaceMeshes.js';
 
 /** Draws large meshes with no more triangles than can be seen. This module is fetched if the option `detail` is set. */

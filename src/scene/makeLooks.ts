@@ -2,7 +2,7 @@
 import type { BufferGeometry, Material, Texture } from 'three';
 import { needsMap } from '../look/queries.js';
 import type { PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
-import { runSliced } from '../mesh/phases.js';
+import { runSliced } from '../mesh/runSliced.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
 import { isToBeMade, prepareOptions } from './applyOptions.js';
 import { bakeGeometries, progressParts, stoppedWith } from './bakeGeometries.js';

@@ -12,8 +12,8 @@ import {
   Sphere,
   Vector3,
 } from 'three';
-import { luminanceOf } from '../../look/luminance.js';
 import { counts } from '../../look/measuredFacts.js';
+import { luminanceOf } from '../../look/vectors.js';
 import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { isFitted } from '../exposure/ToneFit.js';
 import { identityOf } from '../geometry/identityOf.js';

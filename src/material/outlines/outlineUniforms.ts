@@ -1,10 +1,16 @@
 import { type Color, type IUniform, UniformsLib, UniformsUtils, Vector2, Vector4 } from 'three';
 import { HIDDEN_OUTLINES, type HiddenOutlines } from '../../look/hiddenOutlines.js';
+import { checkNumber } from '../checkNumber.js';
 import { createFadingUniforms } from '../fading/fading.js';
 import { keptFromProxies } from '../hatchingUniforms.js';
 import type { Vector2Like } from '../propertyValues.js';
-import { checkNumber } from '../checkNumber.js';
-import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, OUTLINE_NUMBERS, OUTLINE_SIZES, type OutlineNumberName } from './outlineProperties.js';
+import {
+  HATCHING_OUTLINE_DEFAULTS,
+  OUTLINE_NUMBER_NAMES,
+  OUTLINE_NUMBERS,
+  OUTLINE_SIZES,
+  type OutlineNumberName,
+} from './outlineProperties.js';
 
 /** The uniforms that may differ between outlines with the same material, and all textures (see `MeshUniforms`). */
 export const OUTLINE_MESH_UNIFORMS = [
