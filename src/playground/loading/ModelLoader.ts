@@ -410,7 +410,7 @@ const named = (
 ): { title: string; view?: [number, number, number] } => (model === 'file' ? { title: name } : BUILT_IN_MODELS[model]);
 
 async function fetchFiles(address: string, { signal, onStage }: LoadOptions): Promise<readonly ModelFile[]> {
-  const { describeAddress, fetchModel } = await import('./fetchModel.js');
+  const { describeAddress, fetchModel } = await import('../fetch/fetchModel.js');
   const stage = `fetching ${shownName(describeAddress(address).name)}`;
   onStage(stage);
   return [await fetchModel(address, { signal, onProgress: (progress) => onStage(stage, progress) })];

@@ -1,6 +1,6 @@
 import { shownName } from '../../viewer/files/common/ModelError.js';
+import { describeAddress } from '../fetch/fetchModel.js';
 import { element } from '../page/elements.js';
-import { describeAddress } from './fetchModel.js';
 
 /** The first answer is disabled for this long, in milliseconds, so that a click meant for something else agrees to nothing. */
 const READING_MILLISECONDS = 600;

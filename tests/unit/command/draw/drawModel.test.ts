@@ -21,7 +21,9 @@ import {
   squareMtl,
   squareObj,
 } from '../../../../tools/modelFiles/modelFiles.js';
-import { draw, optionsOf, refusal, SMALL, work } from './drawing.js';
+import { draw, optionsOf, refusal, SMALL, useWorkFolder, work } from './drawing.js';
+
+useWorkFolder();
 
 /** A picture in a format that only browsers decode: its header is all that is read. */
 const GIF = Buffer.from(`474946383961040004008000000000ffffff2c0000000004000400000202${'00'.repeat(8)}`, 'hex');

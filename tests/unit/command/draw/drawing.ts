@@ -7,13 +7,16 @@ import { failure } from '../../../../src/command/draw/failure.js';
 import type { DrawMessage } from '../../../../src/command/draw.js';
 import { type DrawingOptions, parseDrawing } from '../../../../src/command/parseDrawing.js';
 
+/** The folder of the running test. */
 export let work: string;
 
-beforeEach(() => {
-  work = mkdtempSync(join(tmpdir(), 'three-hatching-'));
-});
-
-afterEach(() => rmSync(work, { recursive: true, force: true }));
+/** Gives each test of a file an empty folder. Files share this module, so each calls it. */
+export function useWorkFolder(): void {
+  beforeEach(() => {
+    work = mkdtempSync(join(tmpdir(), 'three-hatching-'));
+  });
+  afterEach(() => rmSync(work, { recursive: true, force: true }));
+}
 
 export const optionsOf = (...args: string[]): DrawingOptions => {
   const small = args.includes('--sheet') ? [] : ['--sheet', '100x100'];

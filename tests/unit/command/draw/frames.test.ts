@@ -3,7 +3,9 @@ import { columnGlb } from '../../../../tools/modelFiles/columnModel.js';
 import { tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 import { octahedronGlb, octahedronGltf, octahedronObj } from '../../../../tools/modelFiles/modelFiles.js';
 import { dae, fbx } from '../../../../tools/modelFiles/sceneWriters.js';
-import { draw, refusal, SMALL } from './drawing.js';
+import { draw, refusal, SMALL, useWorkFolder } from './drawing.js';
+
+useWorkFolder();
 
 describe('frames', () => {
   test('orbit the model, and the light stays with the model', {

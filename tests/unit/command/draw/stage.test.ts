@@ -9,7 +9,9 @@ import { addTrack, tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.
 import { octahedronObj } from '../../../../tools/modelFiles/modelFiles.js';
 import { cases } from '../../../selection.mjs';
 import { pathsOf, ringsOf } from '../../vector/paths.js';
-import { draw, optionsOf, work } from './drawing.js';
+import { draw, optionsOf, useWorkFolder, work } from './drawing.js';
+
+useWorkFolder();
 
 describe('the stage', () => {
   async function staged(args: readonly string[], link?: string, glb?: Uint8Array<ArrayBuffer>) {

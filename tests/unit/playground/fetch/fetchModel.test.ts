@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { FetchMessage } from '../../../../src/playground/fetch/fetchMain.js';
-import { describeAddress, fetchModel } from '../../../../src/playground/loading/fetchModel.js';
+import { describeAddress, fetchModel } from '../../../../src/playground/fetch/fetchModel.js';
 
 const ORIGIN = 'https://page.test';
 const ADDRESS = 'https://models.test/a%20bunny.ply';

@@ -1,7 +1,7 @@
 import { ModelError, shownName } from '../../viewer/files/common/ModelError.js';
 import { baseName } from '../../viewer/files/common/ModelFile.js';
 import type { ModelFile } from '../../viewer/files/readModel.js';
-import type { FetchMessage } from '../fetch/fetchMain.js';
+import type { FetchMessage } from './fetchMain.js';
 
 /** The file name of a URL, and its host in ASCII form, which has no look-alike letters. */
 export function describeAddress(address: string): { name: string; site: string } {
