@@ -45,7 +45,7 @@ export function checkValues(parameters: HatchingMaterialParameters): void {
   // An object read from JSON may have this as an own property, and three.js would set it as the prototype of the material.
   if (Object.hasOwn(parameters, '__proto__')) throw new TypeError('HatchingMaterial: "__proto__" is no parameter.');
   if (Object.hasOwn(parameters, 'material')) {
-    throw new TypeError('HatchingMaterial: this is a whole preset. Pass its parameters, as in presets.pen.material.');
+    throw new TypeError('HatchingMaterial: this is a whole preset. Pass its material: presets.pen.material.');
   }
   for (const [name, value] of Object.entries(parameters)) {
     // three.js itself warns of undefined values, and keeps the present ones.

@@ -66,7 +66,11 @@ const OF_NODES = [
   },
   {
     name: 'outlinesShared',
-    test: modules('material/outlines/(?:MeshOutlines|outlineUniforms)', 'material/geometry/OutlineData'),
+    test: modules(
+      'material/outlines/(?:MeshOutlines|outlineUniforms)',
+      'material/geometry/OutlineData',
+      'material/three/clipping',
+    ),
     priority: 3,
   },
   { name: 'deformations', test: modules('material/deformation/Deformations'), priority: 3 },

@@ -139,7 +139,8 @@ export const OFFERS = {
     'tam/TonalArtMapTexture.ts',
     'tam/toothMap.ts',
     'three/posing.ts',
-    'three/privateData.ts',
+    'three/batches.ts',
+    'three/clipping.ts',
   ],
   scene: [
     'AdaptiveResolution.ts',

@@ -14,7 +14,7 @@ import { hasFloatTargets } from '../deformation/canDeform.js';
 import { glslDeformations } from '../deformation/PrePass.js';
 import { warnOfRenderer } from '../diagnostics/warn.js';
 import { outlineDataOf } from '../geometry/OutlineData.js';
-import { forgetClipping } from '../three/privateData.js';
+import { forgetClipping } from '../three/clipping.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { InstanceList } from './InstanceList.js';
 import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from './MeshOutlines.js';

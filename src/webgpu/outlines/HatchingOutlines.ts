@@ -17,7 +17,7 @@ import type { HatchingOutlineParameters } from '../../material/outlines/Hatching
 import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
 import { isCutOut, isDrawnBefore } from '../../material/outlines/surfaceRules.js';
-import { clippingOfFrame } from '../../material/three/privateData.js';
+import { clippingOfFrame } from '../../material/three/clipping.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { placesOf } from './instancePlaces.js';
 import { hasFloatTargets, nodeDeformations } from './NodePosePass.js';

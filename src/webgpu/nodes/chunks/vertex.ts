@@ -1,7 +1,7 @@
 /** The vertex as three.js moves it: by bones, morph targets and instances. */
 import type { BufferGeometry, InstancedMesh, Object3D, SkinnedMesh, Texture } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
-import { batchMatrices } from '../../../material/three/privateData.js';
+import { batchMatrices } from '../../../material/three/batches.js';
 import { placesOf } from '../../outlines/instancePlaces.js';
 import { inverseOf, isOrthographic, linearPart } from '../base/maths.js';
 import { blankFloats, hatchingUniform, texelOf } from '../base/uniforms.js';

@@ -72,7 +72,7 @@ test('a scene without a mesh is named, unless its caller follows it', async () =
 test('a whole preset is no list of parameters', () => {
   for (const name of ['pen', 'engraving'] as const) {
     expect(() => new HatchingMaterial(presets[name] as never)).toThrow(
-      'HatchingMaterial: this is a whole preset. Pass its parameters, as in presets.pen.material.',
+      'HatchingMaterial: this is a whole preset. Pass its material: presets.pen.material.',
     );
   }
 });
