@@ -88,7 +88,7 @@ export async function modelOfScene(
   hideAllButMeshes(root);
   repairScene(root);
   await slices.next();
-  resolveAlpha(root);
+  const alphaNotes = resolveAlpha(root);
   removeUnseen(root);
   leaveNormalsOpen(root);
   widenIntegers(root);
@@ -130,7 +130,7 @@ export async function modelOfScene(
       freeGraphics(root);
     },
   );
-  const notes = thinNote(points, null, share);
+  const notes = [...alphaNotes, ...thinNote(points, null, share)];
   return { model, notes: [...notes, ...leftOut(damaged.length, animations.length - usable.length)] };
 }
 

@@ -164,7 +164,7 @@ async function readMain(
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
-  const merged = 'isObject3D' in content ? mergeScene(content, wanted) : content;
+  const merged = 'isObject3D' in content ? mergeScene(content, wanted, undefined, parsed.notes) : content;
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh, broken } = cleanMesh(distinct);
   const { centre, radius } = fitModel(mesh);

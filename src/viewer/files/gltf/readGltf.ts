@@ -96,7 +96,7 @@ export async function readGltf(
   if (isScene) read.notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
   const { root } = await parseGltf(withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []));
   const toMesh = new Matrix4();
-  const content = mergeScene(root, undefined, toMesh);
+  const content = mergeScene(root, undefined, toMesh, read.notes);
   return { ...read, content, extras: movedExtras(read.extras, toMesh) };
 }
 

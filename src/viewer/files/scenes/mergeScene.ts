@@ -23,12 +23,14 @@ import { resolveAlpha } from './resolveAlpha.js';
  *
  * @param pictures if given, receives the textures of base colours, and the mesh has one range per texture; otherwise textures are left out
  * @param toMesh if given, receives the matrix from scene space to mesh space
+ * @param notes if given, receives notes for the caption
  * @throws ModelError if there are no triangles, or too many
  */
-export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: Matrix4): PlainMesh {
+export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: Matrix4, notes?: string[]): PlainMesh {
   root.updateMatrixWorld(true);
   repairScene(root);
-  resolveAlpha(root);
+  const alphaNotes = resolveAlpha(root);
+  notes?.push(...alphaNotes);
   const parts = placedParts(root, pictures);
   const toOrigin = nearOrigin(parts);
   if (toOrigin) toMesh?.copy(toOrigin);

@@ -13,8 +13,10 @@ type Surface = Material & { map?: Texture | null; alphaMap?: Texture | null; tra
  * Decides how the surfaces of a scene are drawn. Ink has no half opacity, so each surface is opaque, cut out by its picture (`alphaTest`),
  * see-through (`transparent`) or invisible (`visible` is false). Triangles with transparent vertices are left out, and others are split by
  * vertex alpha. If nothing would be visible, all is opaque: some programs write opacity inverted.
+ *
+ * @returns notes for the caption
  */
-export function resolveAlpha(root: Object3D): void {
+export function resolveAlpha(root: Object3D): string[] {
   const drawn: Surface[] = [];
   root.traverseVisible((object) => {
     const mesh = object as Mesh;
@@ -24,8 +26,9 @@ export function resolveAlpha(root: Object3D): void {
     else if (material && !resolveVertices(mesh, material)) resolve(material);
     drawn.push(...[mesh.material].flat().filter(Boolean));
   });
-  if (drawn.some(({ visible }) => visible)) return;
+  if (drawn.length === 0 || drawn.some(({ visible }) => visible)) return [];
   for (const material of drawn) Object.assign(material, { visible: true, transparent: false, depthWrite: true });
+  return ['invisible in the file, drawn as opaque'];
 }
 
 /** The opacity of a material without its picture and vertices. */

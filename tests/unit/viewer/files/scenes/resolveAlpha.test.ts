@@ -93,10 +93,16 @@ test('vertex alpha splits one mesh into opaque, see-through and invisible parts'
   ]);
 });
 
-test('where nothing would be seen all is opaque', () => {
+test('where nothing would be seen all is opaque, and a note says so', () => {
   const material = new MeshStandardMaterial({ transparent: true, opacity: 0 });
-  resolveAlpha(new Group().add(new Mesh(new BoxGeometry(), material)));
+  const note = ['invisible in the file, drawn as opaque'];
+  expect(resolveAlpha(new Group().add(new Mesh(new BoxGeometry(), material)))).toEqual(note);
   expect(kindOf(material)).toBe('opaque');
+  const notes: string[] = [];
+  const clear = new Mesh(new BoxGeometry(), new MeshStandardMaterial({ transparent: true, opacity: 0 }));
+  mergeScene(new Group().add(clear), undefined, undefined, notes);
+  expect(notes).toEqual(note);
+  expect(resolveAlpha(new Group().add(solid()))).toEqual([]);
 });
 
 test('in a merged scene, glass has its own ranges, and invisible parts are ignored', () => {
