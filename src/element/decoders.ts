@@ -153,7 +153,7 @@ const shared = new SharedResources<string, DRACOLoader | KTX2Loader>();
  * @param renderer the renderer that draws the textures: they are transcoded to a format of its GPU
  * @throws Error whose message continues a sentence that begins with the decoder
  */
-export function borrowDecoder<Kind extends keyof Decoders>(
+function borrowDecoder<Kind extends keyof Decoders>(
   kind: Kind,
   folder: string,
   renderer: WebGLRenderer,
@@ -163,7 +163,7 @@ export function borrowDecoder<Kind extends keyof Decoders>(
 }
 
 /** Gives back a decoder, whose workers end with its last user. */
-export const returnDecoder = (kind: keyof Decoders, folder: string): void => shared.giveBack(`${kind} ${folder}`);
+const returnDecoder = (kind: keyof Decoders, folder: string): void => shared.giveBack(`${kind} ${folder}`);
 
 /** Makes a decoder, after checking that it can work on this page: one that cannot would never answer. */
 async function start<Decoder>(

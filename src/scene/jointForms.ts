@@ -30,7 +30,7 @@ function bakesFor(plans: ReadonlyMap<BufferGeometry, GeometryPlan>): GroupBake[]
 }
 
 /** The number of corners of a group. */
-export const groupCorners = ({ parts }: FormGroup): number =>
+const groupCorners = ({ parts }: FormGroup): number =>
   parts.reduce((sum, { geometry }) => sum + cornerCount(geometry), 0);
 
 /**

@@ -13,7 +13,7 @@ export const CASTS_BACK = 8;
 export const MAY_HAVE_HOLES = 16;
 /** The sides of a see-through surface, which fade what is behind them instead of hiding it. */
 export const FADES_FRONT = 32;
-export const FADES_BACK = 64;
+const FADES_BACK = 64;
 
 /** Depth of the traversal stack, enough for any number of triangles that fits into memory. */
 const STACK = 256;

@@ -59,7 +59,7 @@ export function cutRun(chain: Chain, [from, to]: Run, projection: Projection, is
  *
  * @param beside offset of each point, pixels: two numbers each
  */
-export function shiftPath({ points, isClosed }: LinePath, beside: readonly number[], isMoved: boolean): void {
+function shiftPath({ points, isClosed }: LinePath, beside: readonly number[], isMoved: boolean): void {
   const changed = points as number[];
   const count = points.length / PATH_STRIDE;
   // Normals are those of the path before.

@@ -127,7 +127,7 @@ export const finestRank = (octave: number, medium: LineMedium): number =>
   Math.ceil(octave) - (medium === 'woodcut' ? 2 : 1);
 
 /** The spacing of a pen's lines, in units of the function. pen: its width, pixels. */
-export const penSpacing = (measure: FamilyMeasure, pen: number): number => penDistance(measure, pen) * measure.perPixel;
+const penSpacing = (measure: FamilyMeasure, pen: number): number => penDistance(measure, pen) * measure.perPixel;
 
 /** The spacing of a pen's lines on the picture, pixels. */
 export const penDistance = (measure: FamilyMeasure, pen: number): number => pen / penTone(measure);

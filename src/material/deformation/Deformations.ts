@@ -19,7 +19,7 @@ interface MaterialUse {
  * The deformations of one geometry on one graphics context. Each pose is drawn once, whatever number of meshes, materials, cameras and
  * frames use it. Every skinned mesh has a deformation of its own, since no two are in the same pose.
  */
-export class DeformationPool {
+class DeformationPool {
   isDisposed = false;
   private readonly all = new Set<Deformation>();
   /** The deformations that meshes without a skin share, keyed by the hash of their pose. */

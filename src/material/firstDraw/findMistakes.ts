@@ -28,7 +28,7 @@ interface Bounded extends Object3D {
 }
 
 /** A bounding sphere of meshes in world space; empty if none of them has bounds. */
-export function worldSphere(meshes: Iterable<Object3D>): Sphere {
+function worldSphere(meshes: Iterable<Object3D>): Sphere {
   const whole = new Sphere().makeEmpty();
   for (const mesh of meshes) {
     // Instances, batches and skins have a sphere beside that of their geometry.
@@ -51,7 +51,7 @@ export interface LightSum {
 }
 
 /** Adds up the lights of a scene as they arrive in a sphere, without shadows and cones. */
-export function lightOn({ center, radius }: Sphere, scene: Object3D, camera: Camera): LightSum {
+function lightOn({ center, radius }: Sphere, scene: Object3D, camera: Camera): LightSum {
   const sum: LightSum = { least: 0, most: 0, hasForm: false };
   const add = (least: number, most: number): void => {
     sum.least += least;

@@ -26,7 +26,7 @@ import { copyDrawState, isClipped, isCutOut, isDrawnBefore } from './surfaceRule
 type Outlines = Object3D & { geometry: BufferGeometry; material: HatchingOutlineMaterial };
 
 /** Draws hidden outlines with a second material, which shares the uniforms of the first and takes over its state. */
-export class HiddenPass {
+class HiddenPass {
   private material: HatchingOutlineMaterial | null = null;
   private source: HatchingOutlineMaterial | null = null;
   private version = -1;

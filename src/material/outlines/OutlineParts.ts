@@ -253,7 +253,7 @@ function isAll(parts: readonly SurfacePart[], { triangleCount }: OutlineData): b
 }
 
 /** The look of each triangle; if several parts contain it, that of the first. */
-export function triangleParts(looks: readonly { parts: readonly SurfacePart[] }[], triangleCount: number): Int32Array {
+function triangleParts(looks: readonly { parts: readonly SurfacePart[] }[], triangleCount: number): Int32Array {
   const partOf = new Int32Array(triangleCount).fill(NO_PART);
   for (let i = looks.length - 1; i >= 0; i--)
     for (const part of looks[i].parts) partOf.fill(i, firstOf(part), Math.min(triangleCount, endOf(part)));

@@ -9,7 +9,7 @@ import type { MaterialPart } from './MaterialPart.js';
  * Sets the uniforms of a material that is about to draw `object`: the vertex textures of the layout `pull`, as deformed in
  * the present pose. Returns the layout in which the vertex shader finds the adjacency.
  */
-export function bindVertices(
+function bindVertices(
   renderer: WebGLRenderer,
   camera: Camera,
   geometry: BufferGeometry,
@@ -31,7 +31,7 @@ export function bindVertices(
 }
 
 /** Builds the pre-pass program that a mesh will need, if any. */
-export function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
+function compilePrePass(renderer: WebGLRenderer, mesh: Mesh): void {
   const { geometry } = mesh;
   const vertices = pulledVerticesOf(geometry);
   if (!vertices || !deforms(geometry, mesh) || !canDeform(renderer, mesh)) return;

@@ -102,7 +102,7 @@ export function blurredEnvironment(renderer: WebGLRenderer, texture: Texture): T
 }
 
 /** Whether a texture has loaded, so that `blurredEnvironment` gives light. */
-export const lightsAlready = (texture: Texture): boolean => isBlurred(texture) || canBeBlurred(texture);
+const lightsAlready = (texture: Texture): boolean => isBlurred(texture) || canBeBlurred(texture);
 
 /** `CubeUVReflectionMapping`, a constant that three.js exports only before 0.187. */
 const ATLAS_MAPPING = 306;

@@ -68,7 +68,7 @@ export interface Surface {
 export const DEFAULT_SMOOTHING_SHARE = 0.03;
 
 /** The default weld tolerance, as a share of the bounding radius: a few rounding errors of single precision. */
-export const DEFAULT_WELD_TOLERANCE = 1e-6;
+const DEFAULT_WELD_TOLERANCE = 1e-6;
 
 /** Smaller weld tolerances count as 0: they are far below the resolution of single precision. */
 const MIN_WELD_TOLERANCE = 2 ** -40;

@@ -58,7 +58,7 @@ function cameraSample({ camera: { lens }, aspect: shown }: CodeDrawing): { made:
 }
 
 /** An ES module that draws all that the page shows: model, paper, camera, lights, shadows, ground and outlines. */
-export function drawingSample(drawing: CodeDrawing): string {
+function drawingSample(drawing: CodeDrawing): string {
   const { settings, camera } = drawing;
   const { made: cameraMade, sized } = cameraSample(drawing);
   const { paper, lights } = codeLook(settings);

@@ -165,7 +165,7 @@ const readPicture = (stored: unknown): string | undefined =>
     : undefined;
 
 /** The user's saved looks, stored by this browser. */
-export class OwnLooks implements NamedList {
+class OwnLooks implements NamedList {
   private readonly kept = new KeptLooks(() => localStorage);
 
   constructor(

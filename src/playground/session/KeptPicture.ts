@@ -55,7 +55,7 @@ const SIDE = 128;
 export const thumbnailOf = (drawing: HTMLCanvasElement): string => addressOf(smallCopyOf(drawing));
 
 /** As {@link thumbnailOf}, but reads pixels only when `drawn` resolves, so that the page does not wait for the graphics card. */
-export function thumbnailWhen(drawn: Promise<void>, drawing: HTMLCanvasElement): Promise<string> {
+function thumbnailWhen(drawn: Promise<void>, drawing: HTMLCanvasElement): Promise<string> {
   const copy = smallCopyOf(drawing);
   return drawn.then(() => addressOf(copy));
 }

@@ -203,7 +203,7 @@ export interface EdgeSlopes {
 }
 
 /** The normal of a tangent-space normal map, as in three.js. World space. */
-export function bentAlongCoordinates(normal: Vec3, relief: Vec3, edges: EdgeSlopes): Vec3 {
+function bentAlongCoordinates(normal: Vec3, relief: Vec3, edges: EdgeSlopes): Vec3 {
   const [ofFirst, ofSecond] = [cross(edges.second, normal), cross(normal, edges.first)];
   const right = combined(edges.alongFirst[0], ofFirst, edges.alongSecond[0], ofSecond);
   const up = combined(edges.alongFirst[1], ofFirst, edges.alongSecond[1], ofSecond);
@@ -212,7 +212,7 @@ export function bentAlongCoordinates(normal: Vec3, relief: Vec3, edges: EdgeSlop
 }
 
 /** The normal of an object-space normal map. side: 1 on front faces, −1 on back faces. */
-export function bentInObject(relief: Vec3, toWorld: Mat3, side: number): Vec3 {
+function bentInObject(relief: Vec3, toWorld: Mat3, side: number): Vec3 {
   const [x, y, z] = normalize(timesVector(toWorld, relief));
   return [side * x, side * y, side * z];
 }
@@ -224,7 +224,7 @@ export function bentInObject(relief: Vec3, toWorld: Mat3, side: number): Vec3 {
  * @param rises changes of height along both steps
  * @param side 1 on front faces, −1 on back faces
  */
-export function bentByHeights(
+function bentByHeights(
   normal: Vec3,
   [right, up]: readonly [Vec3, Vec3],
   rises: readonly [number, number],

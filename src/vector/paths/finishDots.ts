@@ -123,7 +123,7 @@ export function ringLength(ring: DotRing): number {
 }
 
 /** Path data of a closed polyline. */
-export function ringData(ring: DotRing): string {
+function ringData(ring: DotRing): string {
   const [first, ...others] = ring.map((place) => place.map((value) => Math.round(PER_MILLIMETRE * value)));
   let [left, top] = first;
   const steps: string[] = [];

@@ -252,7 +252,7 @@ class Search {
  * @param count number of neighbours
  * @returns `count` indices per point, nearest first; −1 for none
  */
-export function* nearestEnds(points: Float64Array, count: number): Generator<number, Int32Array, void> {
+function* nearestEnds(points: Float64Array, count: number): Generator<number, Int32Array, void> {
   const total = points.length / 2;
   const nearest = new Int32Array(total * count).fill(-1);
   const grid = new Grid(points);

@@ -31,7 +31,7 @@ export function* orderPaths(paths: readonly PathEnds[]): Generator<number, Order
 }
 
 /** Orders paths by the nearest end that is left. An end has the index of its path times two, plus one for the second end. */
-export function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
+function* nearestFirst(paths: readonly PathEnds[]): Generator<number, OrderedPath[], void> {
   const grid = new Grid(pointsOf(paths));
   const used = new Uint8Array(paths.length);
   const order: OrderedPath[] = [];

@@ -66,7 +66,7 @@ export function writeSVG(
 const SHORTEST = 0.15;
 
 /** The CSS of an animated drawing. With reduced motion it is shown as a whole. */
-export function animationRules(isPen: boolean): string {
+function animationRules(isPen: boolean): string {
   const rule = 'animation:draw calc(var(--for)*1s) linear calc(var(--at)*1s) both';
   const frames = isPen
     ? '@keyframes draw{from{stroke-dashoffset:1;visibility:hidden}to{stroke-dashoffset:0}}'
@@ -76,7 +76,7 @@ export function animationRules(isPen: boolean): string {
 }
 
 /** Assigns each path its time. */
-export class AnimationClock {
+class AnimationClock {
   private readonly perMillimetre: number;
   private at = 0;
 

@@ -10,7 +10,7 @@ const LEAST_FACING_FLAT = 1e-3;
 export type Mat3 = readonly [Vec3, Vec3, Vec3];
 
 /** A row vector times a matrix, which transforms gradients and normals back. */
-export const timesMatrix = (v: Vec3, [a, b, c]: Mat3): Vec3 => [
+const timesMatrix = (v: Vec3, [a, b, c]: Mat3): Vec3 => [
   v[0] * a[0] + v[1] * b[0] + v[2] * c[0],
   v[0] * a[1] + v[1] * b[1] + v[2] * c[1],
   v[0] * a[2] + v[1] * b[2] + v[2] * c[2],

@@ -149,7 +149,7 @@ export function alphaTestOf(material: Painted): number {
 }
 
 /** Whether a map modifies the normals that tone is computed from. It does not with flat faces, and a normal map replaces a bump map. */
-export const bendsNormals = (
+const bendsNormals = (
   { normalMap, toneNormal, flatShading }: HatchingMaterial,
   name: 'normalMap' | 'bumpMap',
 ): boolean => (name === 'normalMap' || normalMap === null) && toneNormal !== 'face' && !flatShading;
@@ -159,7 +159,7 @@ const normalsToWorld = ({ toWorld }: MeshCopy): Mat3 => rowsOf(new Matrix3().get
 
 export const coordinatesOf = (channel: number): string => (channel === 0 ? 'uv' : `uv${channel}`);
 
-export const hasVertexColors = ({ geometry }: Mesh, { vertexColors }: Material): boolean =>
+const hasVertexColors = ({ geometry }: Mesh, { vertexColors }: Material): boolean =>
   vertexColors && geometry.attributes.color !== undefined;
 
 function wrappingOf(wrapping: number): Wrapping {

@@ -70,7 +70,7 @@ function* numbersOf(attribute: Attribute): Generator<number, Float64Array, void>
 }
 
 /** The influences of the morph targets. */
-export function influencesOf(mesh: Mesh, instance: number): number[] {
+function influencesOf(mesh: Mesh, instance: number): number[] {
   const texture = instance < 0 ? null : (mesh as InstancedMesh).morphTexture;
   if (!texture) return mesh.morphTargetInfluences ?? [];
   // A row is an instance. Its first number is the weight of the base position.
@@ -79,7 +79,7 @@ export function influencesOf(mesh: Mesh, instance: number): number[] {
 }
 
 /** Adds morph targets to the numbers of a vertex, as three.js does. */
-export function addMorphs(
+function addMorphs(
   numbers: Float64Array,
   targets: readonly Attribute[] | undefined,
   influences: readonly number[],

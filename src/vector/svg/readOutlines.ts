@@ -176,7 +176,7 @@ const VERTEX_WORD = 7;
  *
  * @param words that the points were read from
  */
-export function posePoints(
+function posePoints(
   { geometry }: Mesh,
   words: Uint32Array,
   { positions, normals, curvatures }: OutlinePoints,

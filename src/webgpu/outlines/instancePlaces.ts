@@ -5,7 +5,7 @@ import { pullTextureSize } from '../../mesh/bake/pullLayout.js';
 const MATRIX_TEXELS = 4;
 
 /** The matrices of the instances of a mesh, as a texture. */
-export class InstancePlaces {
+class InstancePlaces {
   private texture: DataTexture | null = null;
   private matrices: InstancedMesh['instanceMatrix'] | null = null;
   private version = -1;

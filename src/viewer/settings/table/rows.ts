@@ -80,7 +80,6 @@ interface Place {
 }
 
 export type NumberSetting = NumberRow & Place;
-export type ChoiceSetting = ChoiceRow & Place;
 export type Setting = SettingRow & Place;
 
 /** Adds the group and the default owner to rows of the table. */

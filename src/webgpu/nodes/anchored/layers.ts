@@ -15,7 +15,7 @@ export const anchorSpacing: Value = /* @__PURE__ */ hatchingUniform('anchorSpaci
 export const crossingOf = ({ crossing }: HatchingParameters): Value => crossing;
 
 /** The same place in another layer, whose strokes are turned. @param turn cosine and sine of the angle */
-export function turnedLayer(h: HatchingParameters, layer: number, [x, y]: readonly [Input, Input]): HatchingParameters {
+function turnedLayer(h: HatchingParameters, layer: number, [x, y]: readonly [Input, Input]): HatchingParameters {
   const { uAxis, vAxis, lean } = h;
   const shift = vec3(...TONE_CONSTANTS.LAYER_SHIFT).mul(anchorSpacing.div(tilesPerUnit).mul(layer));
   return {

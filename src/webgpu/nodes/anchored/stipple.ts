@@ -46,7 +46,7 @@ export interface PlaneOnScreen {
   area: Value;
 }
 
-export const planeOnScreen = (gradientU: Value, gradientV: Value): PlaneOnScreen => ({
+const planeOnScreen = (gradientU: Value, gradientV: Value): PlaneOnScreen => ({
   gradientU,
   gradientV,
   area: gradientU.x.mul(gradientV.y).sub(gradientU.y.mul(gradientV.x)).toVar(),
@@ -90,7 +90,7 @@ const dotCover = (away: Value, squared: Value): Value =>
  * @param octave of the cells per object unit
  * @param share the share that all of its dots cover
  */
-export function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen, octave: Value, share: Value): Value {
+function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen, octave: Value, share: Value): Value {
   const cells = exp2(floor(octave).add(1)).toVar();
   const into = fract(octave).toVar();
   // A quarter of the cells had their dots before this octave.

@@ -64,7 +64,7 @@ function hashAnchors(cell: Value, second: Value, third: Value, lattice: Value): 
 }
 
 /** @param lattice index of the lattice; the words of lattices differ */
-export function nearestAnchors(x: Value, lattice: Value): LatticeAnchors {
+function nearestAnchors(x: Value, lattice: Value): LatticeAnchors {
   const cell = floor(x.add(dot(x, vec3(1 / 3)))).toVar();
   const first = x
     .sub(cell)

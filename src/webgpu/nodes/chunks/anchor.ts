@@ -34,7 +34,7 @@ export function rotationBetween(from: Value, to: Value): Value {
 /** Counterpart of shaders/perFragment/viewToAnchor.glsl: the linear map from view space to the space of anchors. */
 
 /** The matrix by columns, since nodes have no matrix varyings. */
-export const vViewToAnchor: readonly Value[] = /* @__PURE__ */ [0, 1, 2].map((column) =>
+const vViewToAnchor: readonly Value[] = /* @__PURE__ */ [0, 1, 2].map((column) =>
   varyingProperty('vec3', `vViewToAnchor${column}`),
 );
 

@@ -26,7 +26,7 @@ export function strokeNormalOf(builder: NodeBuilder): Value {
 /** Counterpart of shaders/chunks/occlusion.glsl: 0 where a surface sees the whole sky, 1 where it sees none of it. */
 
 /** The baked ambient occlusion. */
-export const vOcclusion: Value = /* @__PURE__ */ tsl.varyingProperty('float', 'vOcclusion');
+const vOcclusion: Value = /* @__PURE__ */ tsl.varyingProperty('float', 'vOcclusion');
 
 /** Counterpart of shaders/chunks/emitOcclusion.glsl. Instances stand in different places, so occlusion is not baked for them. */
 export function emitOcclusion(builder: NodeBuilder): void {

@@ -58,10 +58,10 @@ interface Comparing {
 }
 
 /** @param place position on the map, from above */
-export const compareFlat = (map: ShadowMap, place: Value, depth: Value): Value =>
+const compareFlat = (map: ShadowMap, place: Value, depth: Value): Value =>
   (texture(map.texture, place as never) as unknown as Comparing).compare(depth);
 
-export const compareCube = (map: ShadowMap, direction: Value, depth: Value): Value =>
+const compareCube = (map: ShadowMap, direction: Value, depth: Value): Value =>
   (cubeTexture(map.texture as never, direction as never) as unknown as Comparing).compare(depth);
 
 /** The share of the depths around a place that lie beyond a depth. @param moments mean and standard deviation of the depths */
@@ -78,7 +78,7 @@ export const biased = ({ isReversed }: ShadowMap, depth: Value, bias: Value): Va
 /**
  * The depth of a point on the face of the cube map that shows it, measured along the axis of the face. @param fromLight vector to the point
  */
-export function depthOnFace({ isReversed }: ShadowMap, fromLight: Value, { near, far, bias }: ShadowValues): Value {
+function depthOnFace({ isReversed }: ShadowMap, fromLight: Value, { near, far, bias }: ShadowValues): Value {
   const size = abs(fromLight).toVar();
   const alongFace = max(max(max(size.x, size.y), size.z), near);
   const depth = far.mul(near.div(alongFace).oneMinus()).div(far.sub(near)).add(bias);

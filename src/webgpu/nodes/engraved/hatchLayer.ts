@@ -43,7 +43,7 @@ export function families(
 }
 
 /** Fades lines into an even grey of their tone where they would shimmer. */
-export const contrasted = (tone: Value, darkness: Value): Value =>
+const contrasted = (tone: Value, darkness: Value): Value =>
   select(tone.greaterThanEqual(1), 1, mix(tone, darkness, lineContrast));
 
 /** All families together leave as much blank as the tone does. */

@@ -101,7 +101,7 @@ function arrivingLight(
   return light;
 }
 
-export const fieldAtFragment = (
+const fieldAtFragment = (
   builder: NodeBuilder,
   choices: LineFieldChoices,
   lights: readonly Light[],

@@ -67,7 +67,7 @@ export const lifted = (position: Value, lift: Value): Value =>
 /** Counterpart of shaders/outlines/width.glsl: the width of an outline at an end of a piece. */
 
 /** Half widths before paper and before a surface, pixels, without the factor of fading. */
-export const halfWidthsAt = ({ weight, innerWeight }: PieceEnd, { HIDDEN }: OutlineDefines): Value =>
+const halfWidthsAt = ({ weight, innerWeight }: PieceEnd, { HIDDEN }: OutlineDefines): Value =>
   (HIDDEN ? vec2(hiddenWeight(max(weight, innerWeight))) : vec2(weight, innerWeight)).mul(outlineWidth).mul(0.5);
 
 /** Counterpart of shaders/outlines/cover.glsl: the screen triangle that covers a piece of outline. */

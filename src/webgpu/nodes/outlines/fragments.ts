@@ -51,7 +51,7 @@ export const wobble: Value = /* @__PURE__ */ hatchingUniform('wobble', 'float');
 const wave = (p: Value, direction: readonly [number, number, number]): Value => dot(p, vec3(...direction));
 
 /** The pressure of the hand along the outline, from −1 to 1, in waves of about half the radius. */
-export function pressureWave(anchor: Value): Value {
+function pressureWave(anchor: Value): Value {
   const p = anchor.div(radius).toVar();
   return sin(dot(p, vec3(-5.3, 6.1, 7.9)).add(sin(dot(p, vec3(4.7, 3.9, -6.7))).mul(2.1)));
 }
@@ -81,7 +81,7 @@ export const hiddenWeight = (weight: Value): Value => smoothstep(0, WHOLE_FROM, 
  * @param place along a piece that is `size` long
  * @param fromOrigin from the screen position of the object, so that dashes move with it
  */
-export function hiddenCoverage(place: Value, size: Value, along: Value, fromOrigin: Value, width: Value): Value {
+function hiddenCoverage(place: Value, size: Value, along: Value, fromOrigin: Value, width: Value): Value {
   const coverage = float(FAINT).toVar();
   If(isDashed.greaterThan(0.5), () => {
     const gap = width.mul(GAP).toVar();
@@ -126,7 +126,7 @@ const LIFTED = 0.5;
  * @param along a wave along it, from −1 to 1
  * @param pixel of the render target, counted from the lower left
  */
-export function dryInk(across: Value, along: Value, pixel: Value): Value {
+function dryInk(across: Value, along: Value, pixel: Value): Value {
   const side = min(tooth.div(SOFT_TOOTH), 1).mul(across).mul(across);
   const loss = tooth.mul(LIFTED).mul(float(0.5).sub(along.mul(0.5)));
   const pressure = side.oneMinus().mul(loss.oneMinus());

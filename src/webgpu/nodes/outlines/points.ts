@@ -33,7 +33,7 @@ export interface OutlinePoint {
   bend: Value;
 }
 
-export function octahedralNormal(word: Value): Value {
+function octahedralNormal(word: Value): Value {
   const folded = unpackSnorm2x16(word).toVar();
   const z = abs(folded.x).oneMinus().sub(abs(folded.y)).toVar();
   const below = max(z.negate(), 0).toVar();
