@@ -46,7 +46,7 @@ export function readImage(texture: Texture): TextureImage | null {
 export const isSharp = ({ magFilter }: Texture): boolean => magFilter === NearestFilter;
 
 /** Returns a function that reads channel k of a pixel as a number. sRGB colours are converted to linear light; alpha is not. */
-function decoderOf({ type, colorSpace }: Texture, data: ArrayLike<number>): (i: number, k: number) => number {
+export function decoderOf({ type, colorSpace }: Texture, data: ArrayLike<number>): (i: number, k: number) => number {
   const most =
     data instanceof Uint8Array || data instanceof Uint8ClampedArray ? 255 : data instanceof Uint16Array ? 65535 : 1;
   const isHalf = type === HalfFloatType;

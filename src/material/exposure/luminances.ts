@@ -1,6 +1,7 @@
-import { DataUtils, HalfFloatType, SRGBColorSpace, type Texture } from 'three';
+import type { Texture } from 'three';
 import { lightness, luminanceOf } from '../../look/vectors.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
+import { decoderOf } from '../readImage.js';
 import type { SurfaceSamples } from './surfaceSamples.js';
 
 /** The luminances of an image's pixels in linear light, from the first row of the file. */
@@ -19,17 +20,10 @@ export function luminances(image: unknown, texture: Texture): Luminances | undef
   const { width, height, data } = pixelsOf(image) ?? {};
   if (!width || !height || !data) return undefined;
   const channels = data.length / (width * height);
-  const isHalf = texture.type === HalfFloatType;
-  const most = data instanceof Uint8Array || data instanceof Uint8ClampedArray ? 255 : 1;
-  const isEncoded = texture.colorSpace === SRGBColorSpace;
-  const value = (i: number): number => {
-    const stored = isHalf ? DataUtils.fromHalfFloat(data[i]) : data[i] / most;
-    if (!isEncoded) return stored;
-    return stored < 0.04045 ? stored / 12.92 : ((stored + 0.055) / 1.055) ** 2.4;
-  };
+  const decode = decoderOf(texture, data);
   const at = (column: number, row: number): number => {
     const i = channels * (row * width + column);
-    return channels < 3 ? value(i) : 0.2126 * value(i) + 0.7152 * value(i + 1) + 0.0722 * value(i + 2);
+    return channels < 3 ? decode(i, 0) : 0.2126 * decode(i, 0) + 0.7152 * decode(i + 1, 1) + 0.0722 * decode(i + 2, 2);
   };
   return { width, height, at };
 }
