@@ -13,11 +13,10 @@ import {
 import { hasFloatTargets } from '../deformation/canDeform.js';
 import { glslDeformations } from '../deformation/PrePass.js';
 import { warnOfRenderer } from '../diagnostics/warn.js';
-import { outlineDataOf } from '../geometry/OutlineData.js';
 import { forgetClipping } from '../three/clipping.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
 import { InstanceList } from './InstanceList.js';
-import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from './MeshOutlines.js';
+import { fadingLookOf, MeshOutlines, meanScale, NO_PARTS } from './MeshOutlines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
 import { copyDrawState, isClipped, isCutOut, isDrawnBefore } from './surfaceRules.js';
@@ -69,7 +68,13 @@ class HiddenPass {
 }
 
 const drawnInto = /* @__PURE__ */ new Vector4();
-const NONE: readonly OutlinePart[] = [];
+
+/** Whether a renderer is WebGLRenderer. Warns of another. */
+function isSupported(renderer: object): boolean {
+  const isOther = 'isWebGPURenderer' in renderer;
+  if (isOther) warnOfRenderer('HatchingOutlines');
+  return !isOther;
+}
 
 /**
  * Draws the contours, borders and creases of a mesh. Add it to the mesh as a child. The geometry of the mesh must come from
@@ -91,7 +96,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
   private readonly depths = new Set<SceneDepth>();
   private hiddenPass: HiddenPass | null = null;
   /** The parts that are being drawn. */
-  private drawn: readonly OutlinePart[] = NONE;
+  private drawn: readonly OutlinePart[] = NO_PARTS;
   private isDeformed = false;
 
   /**
@@ -121,28 +126,13 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
   ): void => {
     const { mesh } = this;
     this.setCount(0);
-    this.drawn = NONE;
+    this.drawn = NO_PARTS;
     // Helpers that light a scene step by step give every object another material for a moment, and a scene may have one override
     // material.
     if (!mesh || !(this.material instanceof HatchingOutlineMaterial) || !('isHatchingOutlineMaterial' in drawnWith))
       return;
-    if (!this.isMeshReached(scene)) return;
-    const data = outlineDataOf(mesh.geometry);
-    const parts = data ? this.partsOf(mesh, data) : NONE;
-    if (data && parts.length === 0) return;
-    if ('isWebGPURenderer' in renderer) {
-      warnOfRenderer('HatchingOutlines');
-      return;
-    }
-    this.matrixWorld.copy(mesh.matrixWorld);
-    if (!data) {
-      this.report(
-        mesh,
-        'has no outlines to draw. Give it the result of await prepareHatchingGeometry(geometry, { outlines: true }).',
-      );
-      return;
-    }
-    if (mesh.frustumCulled && !isInFrustum(mesh, renderer, camera)) return;
+    const parts = this.visibleParts(renderer, scene, camera, isSupported);
+    if (parts.length === 0) return;
     this.drawn = parts;
     this.showInstances();
     this.isDeformed = this.bindDeformation(renderer, camera, mesh);
@@ -160,7 +150,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
       this.drawHidden(renderer, scene, camera, drawn[i]);
       this.endSurface();
     }
-    this.drawn = NONE;
+    this.drawn = NO_PARTS;
     this.hideInstances();
     this.moveToCentre();
   };

@@ -20,7 +20,7 @@ import { describeObject } from '../diagnostics/describeObject.js';
 import { warn } from '../diagnostics/warn.js';
 import { FrameStamp } from '../FrameStamp.js';
 import type { FadingLook } from '../fading/fading.js';
-import type { OutlineData } from '../geometry/OutlineData.js';
+import { outlineDataOf } from '../geometry/OutlineData.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { NO_VERTICES, SpriteLike } from '../three/posing.js';
 import { ContourList } from './ContourList.js';
@@ -60,6 +60,8 @@ const frustumFrame = /* @__PURE__ */ new FrameStamp();
 const matrix = /* @__PURE__ */ new Matrix4();
 const sphere = /* @__PURE__ */ new Sphere();
 const place = /* @__PURE__ */ new Vector3();
+/** The parts of outlines that are not drawn. */
+export const NO_PARTS: readonly OutlinePart[] = [];
 /** Vertices per primitive. */
 const VERTICES = 3;
 
@@ -213,14 +215,6 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Spr
   }
 
   /**
-   * The parts of the outlines that are drawn one after another, in the way three.js divides the mesh; none if the mesh is not drawn.
-   * @internal
-   */
-  protected partsOf(mesh: Mesh, data: OutlineData): readonly OutlinePart[] {
-    return this.parts.of(mesh, data);
-  }
-
-  /**
    * Whether three.js reaches the mesh when it draws the scene. For outlines elsewhere than below their mesh this does not follow from
    * their own visibility.
    */
@@ -235,6 +229,36 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Spr
       if (object.parent === null) return object === rootOf(this);
       object = object.parent;
     }
+  }
+
+  /**
+   * The parts to draw, one after another, as the camera sees the scene; none if the mesh is not drawn. Places the outlines at the mesh.
+   *
+   * @param isSupported whether the renderer draws these outlines; it is asked only if there is something to draw
+   * @internal
+   */
+  protected visibleParts<Renderer>(
+    renderer: Renderer,
+    scene: Object3D,
+    camera: Camera,
+    isSupported: (renderer: Renderer) => boolean,
+  ): readonly OutlinePart[] {
+    const { mesh } = this;
+    if (!mesh || !this.isMeshReached(scene)) return NO_PARTS;
+    const data = outlineDataOf(mesh.geometry);
+    const parts = data ? this.parts.of(mesh, data) : NO_PARTS;
+    if ((data && parts.length === 0) || !isSupported(renderer)) return NO_PARTS;
+    this.matrixWorld.copy(mesh.matrixWorld);
+    if (!data) {
+      this.report(
+        mesh,
+        'has no outlines to draw. Give it the result of await prepareHatchingGeometry(geometry, { outlines: true }).',
+      );
+      return NO_PARTS;
+    }
+    // The test uses only what all renderers have.
+    const isOutside = mesh.frustumCulled && !isInFrustum(mesh, renderer as WebGLRenderer, camera);
+    return isOutside ? NO_PARTS : parts;
   }
 
   /** Sets the number of primitives of the next draw. */
@@ -306,7 +330,7 @@ function boundsOf(mesh: Mesh): Sphere | null {
   return (own === undefined ? mesh.geometry.boundingSphere : own) ?? null;
 }
 
-export function isInFrustum(mesh: Mesh, renderer: WebGLRenderer, camera: Camera): boolean {
+function isInFrustum(mesh: Mesh, renderer: WebGLRenderer, camera: Camera): boolean {
   const bounds = boundsOf(mesh);
   if (!bounds) return true;
   if (!frustumFrame.isOf(renderer, camera)) {

@@ -12,9 +12,8 @@ import {
 } from 'three';
 import type { ClippingGroup, Renderer, WebGPURenderer } from 'three/webgpu';
 import { warn } from '../../material/diagnostics/warn.js';
-import { outlineDataOf } from '../../material/geometry/OutlineData.js';
 import type { HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
-import { fadingLookOf, isInFrustum, MeshOutlines, meanScale } from '../../material/outlines/MeshOutlines.js';
+import { fadingLookOf, MeshOutlines, meanScale, NO_PARTS } from '../../material/outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
 import { isCutOut, isDrawnBefore } from '../../material/outlines/surfaceRules.js';
 import { clippingOfFrame } from '../../material/three/clipping.js';
@@ -40,8 +39,6 @@ function clippingOf(object: Object3D, renderer: WebGPURenderer): Clipping {
 const drawnInto = /* @__PURE__ */ new Vector4();
 const size = /* @__PURE__ */ new Vector2();
 
-const NONE: readonly OutlinePart[] = [];
-
 let hasWarnedOfRenderer = false;
 
 /**
@@ -62,7 +59,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
   /** Whether three.js is drawing these outlines an additional time. */
   private isDrawingMore = false;
   /** The parts that are drawn. */
-  private drawn: readonly OutlinePart[] = NONE;
+  private drawn: readonly OutlinePart[] = NO_PARTS;
   private isDeformed = false;
 
   /**
@@ -86,28 +83,13 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     if (this.isDrawingMore) return;
     const { mesh } = this;
     this.setCount(0);
-    this.drawn = NONE;
+    this.drawn = NO_PARTS;
     // Progressive light map helpers replace the material of every object for a moment, and a scene may override it.
     if (!mesh || !(this.material instanceof HatchingOutlineNodeMaterial)) return;
-    if (!('isHatchingOutlineNodeMaterial' in drawnWith) || !this.isMeshReached(scene)) return;
-    const data = outlineDataOf(mesh.geometry);
-    const parts = data ? this.partsOf(mesh, data) : NONE;
-    if (data && parts.length === 0) return;
-    if (!('isWebGPURenderer' in either)) {
-      warnOfWebGLRenderer();
-      return;
-    }
+    if (!('isHatchingOutlineNodeMaterial' in drawnWith)) return;
+    const parts = this.visibleParts(either, scene, camera, isSupported);
+    if (parts.length === 0) return;
     const renderer = either as WebGPURenderer;
-    this.matrixWorld.copy(mesh.matrixWorld);
-    if (!data) {
-      this.report(
-        mesh,
-        'has no outlines to draw. Give it the result of await prepareHatchingGeometry(geometry, { outlines: true }).',
-      );
-      return;
-    }
-    // The function uses only features of both renderers.
-    if (mesh.frustumCulled && !isInFrustum(mesh, renderer as unknown as WebGLRenderer, camera)) return;
     this.drawn = parts;
     this.isDeformed = this.bindDeformation(renderer, camera, mesh);
     this.bindPart(renderer, camera, mesh, parts[0]);
@@ -126,7 +108,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
       this.drawHidden(renderer, scene, camera, i);
       this.endSurface();
     }
-    this.drawn = NONE;
+    this.drawn = NO_PARTS;
     this.moveToCentre();
   };
 
@@ -215,13 +197,16 @@ function writeViewport(renderer: WebGPURenderer, viewport: Vector4): void {
   viewport.y = size.y - viewport.y - viewport.w;
 }
 
-function warnOfWebGLRenderer(): void {
-  if (hasWarnedOfRenderer) return;
+/** Whether a renderer is WebGPURenderer. Warns once of another. */
+function isSupported(renderer: object): boolean {
+  if ('isWebGPURenderer' in renderer) return true;
+  if (hasWarnedOfRenderer) return false;
   hasWarnedOfRenderer = true;
   warn(
     "HatchingOutlines of 'three-hatching/webgpu' are drawn by WebGPURenderer alone. Under WebGLRenderer take those of 'three-hatching'.",
     'error',
   );
+  return false;
 }
 
 /**
