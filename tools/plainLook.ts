@@ -4,7 +4,7 @@ import type { HatchingMaterialParameters, TonalArtMap } from 'three-hatching';
 const PLAIN: HatchingMaterialParameters = {
   toneCurve: 'linear',
   reflectedLight: 0,
-  hollowTone: 0,
+  hollowStrength: 0,
   crossFrom: 0.52,
   shadowTone: 1,
   shadowFade: 0,
@@ -21,13 +21,13 @@ const PLAIN: HatchingMaterialParameters = {
 export function plainLook(look: HatchingMaterialParameters = {}): HatchingMaterialParameters {
   const { technique = 'adjacency', tonalArtMap = null } = look;
   const plain = { ...PLAIN, technique, tonalArtMap };
-  if (technique === 'engraved') return { ...plain, sizedOnScreen: 0, lineSpacing: 5, shadowSpacing: 1, ...look };
+  if (technique === 'engraved') return { ...plain, screenSpaceShare: 0, lineSpacing: 5, shadowSpacing: 1, ...look };
   if (technique !== 'anchored') return { ...plain, ...look };
   return {
     ...plain,
-    sizedOnScreen: 0,
-    anchorSpacing: 0.45,
-    strokeRotation: 0,
+    screenSpaceShare: 0,
+    latticeSpacing: 0.45,
+    strokeAngle: 0,
     strokeLayers: 'single',
     strokeWidth: (tonalArtMap as TonalArtMap | null)?.strokeTexels ?? 1,
     ...look,

@@ -34,7 +34,7 @@ const mesh = new Mesh(
   new HatchingMaterial({
     tonalArtMap,
     strokeWidth: 1.4,
-    anchorSpacing: 0.6,
+    latticeSpacing: 0.6,
     ink: '#1d3550',
     paper: '#f7f3e8',
   }),

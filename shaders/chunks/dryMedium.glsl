@@ -3,7 +3,7 @@
 // fields are.
 #include "tooth"
 
-uniform float tooth;
+uniform float paperGrain;
 uniform float softness;
 uniform float smudge;
 
@@ -15,7 +15,7 @@ uniform float smudge;
 // The darkness ∈ [0, 1] of a dry medium for a field and a tone. As with ink, its mean is the tone.
 float inkAt(const in HatchField field, const in float tone, const in float crowding) {
   // With tooth 1, grain is not reduced.
-  vec2 pressed = 1.0 - PRESSED * tone * tone * vec2(1.0 - tooth, 1.0);
+  vec2 pressed = 1.0 - PRESSED * tone * tone * vec2(1.0 - paperGrain, 1.0);
   // A smudged tone and a drawn one, printed over one another, give the tone.
   float blank = max(1.0 - tone, 1e-6);
   float share = smudge * pressed.y;
@@ -23,7 +23,7 @@ float inkAt(const in HatchField field, const in float tone, const in float crowd
   float drawn = 1.0 - pow(blank, 1.0 - share);
 
   float crowded = crowdedShare(crowding);
-  float grain = tooth * pressed.x;
+  float grain = paperGrain * pressed.x;
   vec2 shares = vec2((1.0 - grain) * (1.0 - crowded), grain);
   shares *= inversesqrt(max(dot(shares, shares), 1e-8));
   float g = dot(shares, vec2(field.g, toothField()));

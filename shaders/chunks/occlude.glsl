@@ -12,8 +12,8 @@ float openToLights() {
 }
 
 // Deep hollows are the darkest places of a drawing, lit or not.
-uniform float hollowTone; // their tone
+uniform float hollowStrength; // their tone
 
 float hollowness() {
-  return hollowTone * occlusion * smoothstep(HOLLOW.x, HOLLOW.y, vOcclusion);
+  return hollowStrength * occlusion * smoothstep(HOLLOW.x, HOLLOW.y, vOcclusion);
 }

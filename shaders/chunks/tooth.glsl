@@ -3,7 +3,7 @@
 
 uniform sampler2D toothMap; // standard normal field, low where paper fibres rise (src/material/tam/toothMap.ts)
 uniform vec2 toothOffset; // offset of this picture in a larger one, pixels
-uniform float toothSize; // pixels per bump
+uniform float paperGrainSize; // pixels per bump
 
 // The share of variance that neighbouring texels of the map do not share.
 #define TOOTH_UNSHARED (3.0 / 19.0)
@@ -26,9 +26,9 @@ float toothOf(const in float size) {
 }
 
 float toothField() {
-  float detail = DETAIL * smoothstep(DETAIL_FROM, DETAIL_TO, toothSize);
-  float coarse = toothOf(toothSize);
+  float detail = DETAIL * smoothstep(DETAIL_FROM, DETAIL_TO, paperGrainSize);
+  float coarse = toothOf(paperGrainSize);
   if (detail == 0.0) return coarse;
   // At another scale the map counts as independent: variances add.
-  return (coarse + detail * toothOf(toothSize / DETAIL_FINER)) * inversesqrt(1.0 + detail * detail);
+  return (coarse + detail * toothOf(paperGrainSize / DETAIL_FINER)) * inversesqrt(1.0 + detail * detail);
 }

@@ -3,7 +3,7 @@
 #include "normalDistribution"
 #include "tooth"
 
-uniform float tooth;
+uniform float paperGrain;
 
 // The tooth above which the sides fade from the middle on.
 #define SOFT_TOOTH 0.3
@@ -16,8 +16,8 @@ uniform float tooth;
 
 // The share of full ink that is left. across: 0 in the middle of the outline, 1 at its side. along: a wave along it, from −1 to 1.
 float dryInk(const in float across, const in float along) {
-  float side = min(tooth / SOFT_TOOTH, 1.0) * across * across;
-  float pressure = (1.0 - side) * (1.0 - tooth * LIFTED * (0.5 - 0.5 * along));
+  float side = min(paperGrain / SOFT_TOOTH, 1.0) * across * across;
+  float pressure = (1.0 - side) * (1.0 - paperGrain * LIFTED * (0.5 - 0.5 * along));
   float height = normalDistribution(toothField()).x;
-  return clamp((pressure - CAUGHT * tooth * height) / OUTLINE_SOFTNESS, 0.0, 1.0);
+  return clamp((pressure - CAUGHT * paperGrain * height) / OUTLINE_SOFTNESS, 0.0, 1.0);
 }

@@ -21,9 +21,9 @@ uniform mat4 projectionMatrix;
 #ifdef WOBBLE
   #include "outlines/wobble"
 #endif // WOBBLE
-#ifdef TOOTH
+#ifdef PAPER_GRAIN
   #include "outlines/dryOutline"
-#endif // TOOTH
+#endif // PAPER_GRAIN
 
 void main() {
   vec2 pixel = gl_FragCoord.xy;
@@ -62,7 +62,7 @@ void main() {
   #ifdef HIDDEN
     coverage *= hiddenCoverage(place, size, spine.along, pixel - vOrigin, outlineWidth);
   #endif // HIDDEN
-  #ifdef TOOTH
+  #ifdef PAPER_GRAIN
     #ifdef WOBBLE
       float pressed = pressureWave(mix(vAnchorStart, vAnchorEnd, alongLine(t)));
     #else
@@ -71,7 +71,7 @@ void main() {
     // Overlapping ends are narrower, or their soft sides would add up at each joint.
     float across = away / max(halfWidth, 0.5) * (fringe == 0.0 ? 1.6 : 1.0);
     coverage *= dryInk(min(across, 1.0), pressed);
-  #endif // TOOTH
+  #endif // PAPER_GRAIN
   vec4 diffuseColor = vec4(ink, opacity * coverage);
 
   #if NUM_CLIPPING_PLANES > 0

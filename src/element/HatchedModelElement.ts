@@ -27,7 +27,7 @@ export function warnOfMissingSource(hadSource: boolean): void {
 }
 
 const ATTRIBUTES = [
-  ...(['src', 'preset', 'color-fill', 'local-tone', 'exposure', 'vignette', 'light', 'camera'] as const),
+  ...(['src', 'preset', 'color-fill', 'color-hatching', 'exposure', 'vignette', 'light', 'camera'] as const),
   ...(['variant', 'controls', 'alt', 'poster', 'draco-path', 'ktx2-path'] as const),
 ];
 /** The attributes whose change loads the model again. */
@@ -52,7 +52,7 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  * | `src` | URL of a glTF or GLB file |
  * | `preset` | name of a preset of the library; `pen` by default |
  * | `color-fill` | how much of the model's own colours is printed under the ink, from 0 to 1; 0 by default |
- * | `local-tone` | how much the darkness of these colours is hatched, from 0 to 1; 0.8 by default |
+ * | `color-hatching` | how much the darkness of these colours is hatched, from 0 to 1; 0.8 by default |
  * | `exposure` | how much lighter the drawing is, as a factor; 1 by default |
  * | `vignette` | how much strokes fade towards the rim, from 0 to 1; 0 by default |
  * | `light` | azimuth and elevation of the light in degrees, such as `-45 40`; by default that of the file, or one that suits the first view of the model |
@@ -84,7 +84,7 @@ export class HatchedModelElement extends Base {
   declare src: string;
   declare preset: string;
   declare colorFill: string;
-  declare localTone: string;
+  declare colorHatching: string;
   declare exposure: string;
   declare vignette: string;
   declare light: string;

@@ -10,7 +10,7 @@ export interface HatchedModelAttributes {
   /** How much of the model's own colours is printed under the ink, from 0 to 1. Default: 0. */
   'color-fill'?: number | string | undefined;
   /** How much the darkness of these colours is hatched, from 0 to 1. Default: 0.8. */
-  'local-tone'?: number | string | undefined;
+  'color-hatching'?: number | string | undefined;
   /** A factor on the brightness of the drawing, above 0. Default: 1. */
   exposure?: number | string | undefined;
   /** How much strokes fade towards the rim, from 0 to 1. Default: 0. */

@@ -29,7 +29,7 @@ export function readPreset(text: string | null): HatchingPreset {
 /** The attributes that override a number of the preset: the property of the material, and its range in words. */
 export const LOOK_NUMBERS = {
   'color-fill': { property: 'colorFill', words: 'from 0, ink alone, to 1, the colours of the model' },
-  'local-tone': { property: 'localTone', words: 'from 0 to 1' },
+  'color-hatching': { property: 'colorHatching', words: 'from 0 to 1' },
   exposure: { property: 'exposureCompensation', words: 'above 0' },
   vignette: { property: 'vignette', words: 'from 0 to 1' },
 } as const;

@@ -88,7 +88,7 @@ export interface HatchingTechniqueData {
 export interface HatchingFacts {
   /** The measure of a number or a vector. */
   measure?: HatchingMeasure;
-  /** The measure at a `sizedOnScreen` of 1, if it differs. In between the value is a mean of the two. */
+  /** The measure at a `screenSpaceShare` of 1, if it differs. In between the value is a mean of the two. */
   measureOnScreen?: HatchingMeasure;
   /** The conditions under which the property counts. One that holds is enough. */
   when?: HatchingCondition | readonly HatchingCondition[];
@@ -110,7 +110,7 @@ export type HatchingMeasure =
   | 'radians'
   | 'tiles'
   | 'tileParts'
-  | 'tilesPerUnit'
+  | 'tilesPerObjectUnit'
   | 'share'
   | 'depths'
   | 'worldUnits'

@@ -12,6 +12,6 @@ export const GLASS = {
     [0.75, 0],
     [1, 0],
   ],
-  localTone: 0,
+  colorHatching: 0,
   occlusion: 0,
 } as const;

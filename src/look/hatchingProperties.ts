@@ -36,7 +36,7 @@ export type LevelRule = 'derivatives' | 'depth';
  *   whatever the light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to
  *   `prepareHatchingGeometry`.
  * - `acrossForm`: the same function: strokes lie across its level lines at a right angle, along limbs.
- * - `sheet`: the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeRotation` to the
+ * - `sheet`: the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeAngle` to the
  *   horizontal. They turn with the camera, and not with the light.
  */
 export type StrokeField = 'light' | 'form' | 'acrossForm' | 'sheet';
@@ -144,8 +144,8 @@ export const HATCHING_PROPERTIES = {
     techniques: ['triangle', 'adjacency', 'anchored'],
   },
   technique: { kind: 'choice', default: 'anchored', choices: ['triangle', 'adjacency', 'anchored', 'engraved'] },
-  tilesPerUnit: { kind: 'number', default: 3, uniform: 'tilesPerUnit', range: { above: 0 } },
-  strokeRotation: {
+  tilesPerObjectUnit: { kind: 'number', default: 3, uniform: 'tilesPerObjectUnit', range: { above: 0 } },
+  strokeAngle: {
     kind: 'number',
     default: 0,
     defaultFor: { anchored: Math.PI / 2 },
@@ -161,10 +161,10 @@ export const HATCHING_PROPERTIES = {
     choices: ['derivatives', 'depth'],
     techniques: ['triangle', 'adjacency'],
   },
-  sizedOnScreen: {
+  screenSpaceShare: {
     kind: 'number',
     default: 1,
-    uniform: 'sizedOnScreen',
+    uniform: 'screenSpaceShare',
     range: { from: 0, to: 1 },
     techniques: ['anchored', 'engraved'],
   },
@@ -182,10 +182,10 @@ export const HATCHING_PROPERTIES = {
     range: { from: 0 },
     techniques: ['triangle', 'adjacency', 'anchored'],
   },
-  anchorSpacing: {
+  latticeSpacing: {
     kind: 'number',
     default: 0.4,
-    uniform: 'anchorSpacing',
+    uniform: 'latticeSpacing',
     range: { above: 0 },
     techniques: ['anchored'],
   },
@@ -204,7 +204,13 @@ export const HATCHING_PROPERTIES = {
     techniques: ['engraved'],
   },
   lineSpacing: { kind: 'number', default: 4.5, uniform: 'lineSpacing', range: { above: 0 }, techniques: ['engraved'] },
-  finestSpacing: { kind: 'number', default: 3, uniform: 'finestSpacing', range: { from: 2 }, techniques: ['engraved'] },
+  minLineSpacing: {
+    kind: 'number',
+    default: 3,
+    uniform: 'minLineSpacing',
+    range: { from: 2 },
+    techniques: ['engraved'],
+  },
   strokeLength: { kind: 'number', default: 72, uniform: 'strokeLength', range: { above: 0 }, techniques: ['engraved'] },
   strokeLayers: {
     kind: 'choice',
@@ -228,7 +234,13 @@ export const HATCHING_PROPERTIES = {
     range: { above: 0, to: 1.5707963267948966 },
     techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
   },
-  handmade: { kind: 'number', default: 0.4, uniform: 'handmade', range: { from: 0, to: 1 }, techniques: ['engraved'] },
+  irregularity: {
+    kind: 'number',
+    default: 0.4,
+    uniform: 'irregularity',
+    range: { from: 0, to: 1 },
+    techniques: ['engraved'],
+  },
   blendAngle: { kind: 'number', default: Math.PI / 2, range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
   shadowStrokes: { kind: 'choice', default: 'tone', define: 'SHADOW_STROKES', choices: ['tone', 'cross', 'reorient'] },
   medium: {
@@ -239,8 +251,20 @@ export const HATCHING_PROPERTIES = {
     choicesFor: { anchored: ['ink', 'dry', 'stipple'], engraved: ['ink', 'pen', 'woodcut'] },
     techniques: ['anchored', 'engraved'],
   },
-  tooth: { kind: 'number', default: 0.4, uniform: 'tooth', range: { from: 0, to: 1 }, techniques: ['anchored'] },
-  toothSize: { kind: 'number', default: 2.5, uniform: 'toothSize', range: { above: 0 }, techniques: ['anchored'] },
+  paperGrain: {
+    kind: 'number',
+    default: 0.4,
+    uniform: 'paperGrain',
+    range: { from: 0, to: 1 },
+    techniques: ['anchored'],
+  },
+  paperGrainSize: {
+    kind: 'number',
+    default: 2.5,
+    uniform: 'paperGrainSize',
+    range: { above: 0 },
+    techniques: ['anchored'],
+  },
   softness: { kind: 'number', default: 0.6, uniform: 'softness', range: { from: 0, to: 1 }, techniques: ['anchored'] },
   smudge: { kind: 'number', default: 0, uniform: 'smudge', range: { from: 0, to: 1 }, techniques: ['anchored'] },
   toneModel: {
@@ -304,19 +328,19 @@ export const HATCHING_PROPERTIES = {
     range: { from: 0, to: 1 },
   },
   occlusion: { kind: 'number', default: 1, uniform: 'occlusion', range: { from: 0, to: 1 } },
-  hollowTone: {
+  hollowStrength: {
     kind: 'number',
     default: 0,
-    uniform: 'hollowTone',
+    uniform: 'hollowStrength',
     defaultFor: { anchored: 1, engraved: 1 },
     range: { from: 0, to: 1 },
   },
-  localTone: { kind: 'number', default: 0, uniform: 'localTone', range: { from: 0, to: 1 } },
-  highlightTone: { kind: 'number', default: 0, range: { from: 0, to: 1 } },
+  colorHatching: { kind: 'number', default: 0, uniform: 'colorHatching', range: { from: 0, to: 1 } },
+  highlightThreshold: { kind: 'number', default: 0, range: { from: 0, to: 1 } },
   highlightSoftness: { kind: 'number', default: 0, range: { from: 0, to: 1 } },
   depthFade: { kind: 'number', default: 'auto', range: { from: 0, to: 1 }, techniques: ['anchored', 'engraved'] },
-  depthNear: { kind: 'number', default: 0, techniques: ['anchored', 'engraved'] },
-  depthFar: { kind: 'number', default: 1, techniques: ['anchored', 'engraved'] },
+  depthFadeStart: { kind: 'number', default: 0, techniques: ['anchored', 'engraved'] },
+  depthFadeEnd: { kind: 'number', default: 1, techniques: ['anchored', 'engraved'] },
   focus: { kind: 'point', default: null, techniques: ['anchored', 'engraved'] },
   focusRadius: { kind: 'number', default: 1, range: { above: 0 }, techniques: ['anchored', 'engraved'] },
   vignette: {

@@ -15,22 +15,22 @@ export function counts(given: HatchingLook, name: HatchingPropertyName): boolean
   return [when].flat().some((condition) => holds(look, condition));
 }
 
-/** The measure of a number or a vector in a look. Undefined for other properties, and where `sizedOnScreen` mixes two measures. */
+/** The measure of a number or a vector in a look. Undefined for other properties, and where `screenSpaceShare` mixes two measures. */
 export function measureOf(look: HatchingLook, name: HatchingPropertyName): HatchingMeasure | undefined {
   const { measure, measureOnScreen = measure } = factsOf(name);
-  const onScreen = Number(valueIn(spelledOut(look), 'sizedOnScreen'));
+  const onScreen = Number(valueIn(spelledOut(look), 'screenSpaceShare'));
   if (measure === measureOnScreen || onScreen === 0) return measure;
   return onScreen === 1 ? measureOnScreen : undefined;
 }
 
 /**
  * The exponent by which a property scales with the width of the picture: 1 if it is measured in CSS pixels, 0 if it is not, and
- * `sizedOnScreen` where that mixes both.
+ * `screenSpaceShare` where that mixes both.
  */
 export function pixelPower(look: HatchingLook, name: HatchingPropertyName): number {
   const { measure, measureOnScreen } = factsOf(name);
   if (measure === 'pixels') return 1;
-  return measureOnScreen === 'pixels' ? Number(valueIn(spelledOut(look), 'sizedOnScreen')) : 0;
+  return measureOnScreen === 'pixels' ? Number(valueIn(spelledOut(look), 'screenSpaceShare')) : 0;
 }
 
 /**

@@ -31,9 +31,9 @@ export interface HatchingMaterialOptions {
   technique: HatchingTechnique;
   /**
    * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
-   * Only with `sizedOnScreen` other than `1`.
+   * Only with `screenSpaceShare` other than `1`.
    */
-  tilesPerUnit: number;
+  tilesPerObjectUnit: number;
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). With `strokeField: 'sheet'` it is their angle to the horizontal of the sheet,
@@ -41,7 +41,7 @@ export interface HatchingMaterialOptions {
    * `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
    * `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'` or `'sheet'`.
    */
-  strokeRotation: number;
+  strokeAngle: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
   strokeOffset: Vector2Like;
   /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
@@ -58,11 +58,11 @@ export interface HatchingMaterialOptions {
    */
   levelRule: LevelRule;
   /**
-   * What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In
-   * between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own for
-   * 0, which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
+   * What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping.
+   * In between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own
+   * for 0, which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
    */
-  sizedOnScreen: number;
+  screenSpaceShare: number;
   /**
    * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
    * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
@@ -80,7 +80,7 @@ export interface HatchingMaterialOptions {
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
    * strokes. Tiles in (0, ∞). Default `0.4`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
-  anchorSpacing: number;
+  latticeSpacing: number;
   /**
    * What strokes take their direction from. Default `'light'`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    * Another value builds another program.
@@ -89,9 +89,9 @@ export interface HatchingMaterialOptions {
   /** What cuts the surface into lines. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**
-   * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As the camera comes
-   * nearer new lines appear between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in
-   * (0, ∞). Default `4.5`. Only `'engraved'`.
+   * Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes
+   * nearer new lines appear between them, thin at first. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0
+   * in (0, ∞). Default `4.5`. Only `'engraved'`.
    */
   lineSpacing: number;
   /**
@@ -99,11 +99,11 @@ export interface HatchingMaterialOptions {
    * other one is left out. Below three pixels lines flicker in motion. CSS pixels in [2, ∞). Default `3`. Only
    * `'engraved'`.
    */
-  finestSpacing: number;
+  minLineSpacing: number;
   /**
    * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, since
-   * strokes give way to others half as long as the camera comes nearer. CSS pixels at a `sizedOnScreen` of 1, 256ths of
-   * a tile at 0 in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
+   * strokes give way to others half as long as the camera comes nearer. CSS pixels at a `screenSpaceShare` of 1, 256ths
+   * of a tile at 0 in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
    */
   strokeLength: number;
   /**
@@ -128,7 +128,7 @@ export interface HatchingMaterialOptions {
    * How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine. Share
    * in [0, 1]. Default `0.4`. Only `'engraved'`.
    */
-  handmade: number;
+  irregularity: number;
   /**
    * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
@@ -150,9 +150,9 @@ export interface HatchingMaterialOptions {
    * How strongly the tooth of the paper breaks up the strokes of a dry medium: at 0 strokes are smooth, at 1 only grain
    * is left. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
    */
-  tooth: number;
+  paperGrain: number;
   /** Size of the bumps of the paper. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
-  toothSize: number;
+  paperGrainSize: number;
   /**
    * How gradually a dry medium covers: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a
    * grey. Share in [0, 1]. Default `0.6`. Only `'anchored'`, with `medium` `'dry'`.
@@ -244,41 +244,41 @@ export interface HatchingMaterialOptions {
    * parting of lips, undercuts and contacts. At 0 they only lose light. Share in [0, 1]. Default `0`, for `'anchored'`
    * `1`, for `'engraved'` `1`. Only with `occlusion` other than `0`.
    */
-  hollowTone: number;
+  hollowStrength: number;
   /**
    * How much of the darkness of the surface's own colour (`color`, `map` and vertices) is hatched: at 1 a colour that
    * looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as it is.
    * Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
    */
-  localTone: number;
+  colorHatching: number;
   /**
    * Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. Tone in [0, 1]. Default
    * `0`.
    */
-  highlightTone: number;
+  highlightThreshold: number;
   /**
-   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightTone`. Share in [0, 1].
-   * Default `0`. Only with `highlightTone` other than `0`.
+   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightThreshold`. Share in [0,
+   * 1]. Default `0`. Only with `highlightThreshold` other than `0`.
    */
   highlightSoftness: number;
   /**
    * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
-   * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`:
-   * 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the sheet's
-   * shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`. Only
-   * `'anchored'`, `'engraved'`.
+   * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`.
+   * `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the
+   * sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`.
+   * Only `'anchored'`, `'engraved'`.
    */
   depthFade: number | 'auto';
   /**
    * Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene. Default
    * `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
    */
-  depthNear: number;
+  depthFadeStart: number;
   /**
    * Where fading ends, in the same units. Depths of the scene. Default `1`. Only `'anchored'`, `'engraved'`, with
    * `depthFade` other than `0`.
    */
-  depthFar: number;
+  depthFadeEnd: number;
   /**
    * Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an
    * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. Only
@@ -377,9 +377,9 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   technique: HatchingTechnique;
   /**
    * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
-   * Only with `sizedOnScreen` other than `1`.
+   * Only with `screenSpaceShare` other than `1`.
    */
-  tilesPerUnit: number;
+  tilesPerObjectUnit: number;
   /**
    * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
    * towards it (figure 14). With `strokeField: 'sheet'` it is their angle to the horizontal of the sheet,
@@ -387,7 +387,7 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
    * `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'` or `'sheet'`.
    */
-  strokeRotation: number;
+  strokeAngle: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
   readonly strokeOffset: Vector2;
   /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
@@ -404,11 +404,11 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   levelRule: LevelRule;
   /**
-   * What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In
-   * between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own for
-   * 0, which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
+   * What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping.
+   * In between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own
+   * for 0, which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
    */
-  sizedOnScreen: number;
+  screenSpaceShare: number;
   /**
    * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
    * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
@@ -426,7 +426,7 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
    * strokes. Tiles in (0, ∞). Default `0.4`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    */
-  anchorSpacing: number;
+  latticeSpacing: number;
   /**
    * What strokes take their direction from. Default `'light'`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
    * Another value builds another program.
@@ -435,9 +435,9 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   /** What cuts the surface into lines. Default `'light'`. Only `'engraved'`. Another value builds another program. */
   lineField: LineField;
   /**
-   * Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As the camera comes
-   * nearer new lines appear between them, thin at first. CSS pixels at a `sizedOnScreen` of 1, 256ths of a tile at 0 in
-   * (0, ∞). Default `4.5`. Only `'engraved'`.
+   * Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes
+   * nearer new lines appear between them, thin at first. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0
+   * in (0, ∞). Default `4.5`. Only `'engraved'`.
    */
   lineSpacing: number;
   /**
@@ -445,11 +445,11 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * other one is left out. Below three pixels lines flicker in motion. CSS pixels in [2, ∞). Default `3`. Only
    * `'engraved'`.
    */
-  finestSpacing: number;
+  minLineSpacing: number;
   /**
    * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, since
-   * strokes give way to others half as long as the camera comes nearer. CSS pixels at a `sizedOnScreen` of 1, 256ths of
-   * a tile at 0 in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
+   * strokes give way to others half as long as the camera comes nearer. CSS pixels at a `screenSpaceShare` of 1, 256ths
+   * of a tile at 0 in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
    */
   strokeLength: number;
   /**
@@ -475,7 +475,7 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine. Share
    * in [0, 1]. Default `0.4`. Only `'engraved'`.
    */
-  handmade: number;
+  irregularity: number;
   /**
    * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
    * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
@@ -497,9 +497,9 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * How strongly the tooth of the paper breaks up the strokes of a dry medium: at 0 strokes are smooth, at 1 only grain
    * is left. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
    */
-  tooth: number;
+  paperGrain: number;
   /** Size of the bumps of the paper. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
-  toothSize: number;
+  paperGrainSize: number;
   /**
    * How gradually a dry medium covers: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a
    * grey. Share in [0, 1]. Default `0.6`. Only `'anchored'`, with `medium` `'dry'`.
@@ -593,41 +593,41 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * parting of lips, undercuts and contacts. At 0 they only lose light. Share in [0, 1]. Default `0`, for `'anchored'`
    * `1`, for `'engraved'` `1`. Only with `occlusion` other than `0`.
    */
-  hollowTone: number;
+  hollowStrength: number;
   /**
    * How much of the darkness of the surface's own colour (`color`, `map` and vertices) is hatched: at 1 a colour that
    * looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as it is.
    * Presets draw colours by it in ink alone, with a `colorFill` of 0. Share in [0, 1]. Default `0`.
    */
-  localTone: number;
+  colorHatching: number;
   /**
    * Tone, after the tone curve, below which the paper stays blank: a highlight with an edge. Tone in [0, 1]. Default
    * `0`.
    */
-  highlightTone: number;
+  highlightThreshold: number;
   /**
-   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightTone`. Share in [0, 1].
-   * Default `0`. Only with `highlightTone` other than `0`.
+   * How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightThreshold`. Share in [0,
+   * 1]. Default `0`. Only with `highlightThreshold` other than `0`.
    */
   highlightSoftness: number;
   /**
    * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
-   * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`:
-   * 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the sheet's
-   * shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`. Only
-   * `'anchored'`, `'engraved'`.
+   * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`.
+   * `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the
+   * sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`.
+   * Only `'anchored'`, `'engraved'`.
    */
   depthFade: number | 'auto';
   /**
    * Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene. Default
    * `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
    */
-  depthNear: number;
+  depthFadeStart: number;
   /**
    * Where fading ends, in the same units. Depths of the scene. Default `1`. Only `'anchored'`, `'engraved'`, with
    * `depthFade` other than `0`.
    */
-  depthFar: number;
+  depthFadeEnd: number;
   /**
    * Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an
    * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. Only

@@ -162,12 +162,12 @@ export function writeSizeUniforms(
   const dotPixels = pixelRatio * (material.strokeWidth ?? strokeTexels);
   write(u.dotPixels, dotPixels);
   write(u.texelPixels, dotPixels / strokeTexels);
-  write(u.toothSize, pixelRatio * material.toothSize);
-  // `sizedOnScreen` blends the spacing of lines and the length of their strokes from object to screen space.
-  const onScreen = pixelRatio ** material.sizedOnScreen;
+  write(u.paperGrainSize, pixelRatio * material.paperGrainSize);
+  // `screenSpaceShare` blends the spacing of lines and the length of their strokes from object to screen space.
+  const onScreen = pixelRatio ** material.screenSpaceShare;
   write(u.lineSpacing, onScreen * material.lineSpacing);
   write(u.strokeLength, onScreen * material.strokeLength);
-  write(u.finestSpacing, Math.max(pixelRatio * material.finestSpacing, MIN_SPACING));
+  write(u.minLineSpacing, Math.max(pixelRatio * material.minLineSpacing, MIN_SPACING));
 }
 
 /**
@@ -201,10 +201,10 @@ const highlightKept = (tone: number, { x, y }: Vector2): number => tone * Math.m
 export function writeComputedUniforms(material: HatchingMaterialProperties, u: Uniforms): void {
   write(u.blendCosine, Math.cos(material.blendAngle));
   // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
-  const { tilesPerUnit: scale, strokeOffset: offset } = material;
+  const { tilesPerObjectUnit: scale, strokeOffset: offset } = material;
   const isAway = runsAway(material);
   // A rotation by a right angle makes the strokes of a map run along the direction of the light.
-  const rotation = isAway ? Math.PI / 2 : material.strokeRotation;
+  const rotation = isAway ? Math.PI / 2 : material.strokeAngle;
   const cos = Math.cos(rotation);
   const sin = Math.sin(rotation);
   // Matrix3.set with nine arguments would allocate each of them; this writes the elements, column by column.
@@ -216,12 +216,15 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   elements[7] = offset.y;
   u.strokeDirection.value.set(cos, sin);
   u.crossFrom.value = isAway ? 1 : material.crossFrom;
-  const highlightReach = Math.max(material.highlightTone * material.highlightSoftness, 1e-6);
+  const highlightReach = Math.max(material.highlightThreshold * material.highlightSoftness, 1e-6);
   // An exposure that is fitted to the scene is written later, when the scene is drawn.
   const { exposure, exposureCompensation } = material;
   u.exposure.value.set(exposure !== 'auto' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
   u.colorExposure.value = 1;
-  const ramp = u.highlightRamp.value.set(0.5 / highlightReach, 0.5 - (0.5 * material.highlightTone) / highlightReach);
+  const ramp = u.highlightRamp.value.set(
+    0.5 / highlightReach,
+    0.5 - (0.5 * material.highlightThreshold) / highlightReach,
+  );
   const [blank, full] = curveEnds(material.toneCurve);
   u.toneEnds.value.set(highlightKept(blank, ramp), highlightKept(full, ramp));
   // The third layer bisects the wider angle between the first two: it is turned by (π + crossAngle) / 2.

@@ -38,7 +38,7 @@ export function programDefines(
   material: HatchingMaterialProperties,
   { hasEnvironment, vertexLayout, hasForm }: ProgramFacts,
 ): Record<string, number | string | undefined> {
-  const { technique, toneCurve, sizedOnScreen } = material;
+  const { technique, toneCurve, screenSpaceShare } = material;
   const defines: Record<string, number | string | undefined> = {};
   let usesFirstChannel = false;
   for (const name of propertyNames) {
@@ -60,7 +60,7 @@ export function programDefines(
   defines.USE_UV0 = usesFirstChannel ? '' : undefined;
   // Strokes that are sized on the object alone need one lattice and no code for a second.
   const { hasProgramForObject } = HATCHING_TECHNIQUES[technique];
-  defines.SIZED_ON_SCREEN = hasProgramForObject && sizedOnScreen > 0 ? '' : undefined;
+  defines.SCREEN_SPACE_SHARE = hasProgramForObject && screenSpaceShare > 0 ? '' : undefined;
   return defines;
 }
 
@@ -97,7 +97,7 @@ export function programSwitches(material: HatchingMaterialProperties & { normalM
   }
   switches = 32 * switches + 8 * material.side + material.blending;
   for (let i = 0; i < FLAGS.length; i++) switches = 2 * switches + Number(material[FLAGS[i]]);
-  return 2 * switches + Number(material.sizedOnScreen > 0);
+  return 2 * switches + Number(material.screenSpaceShare > 0);
 }
 
 /** Properties of three's `Material` that decide the program. */

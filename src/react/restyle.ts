@@ -47,7 +47,7 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
   const changes = changed(from as Values, to as Values, (name) =>
     name in HATCHING_DEFAULTS ? defaultOf(name as HatchingPropertyName, technique) : undefined,
   );
-  if (!changes || 'tilesPerUnit' in changes) return null;
+  if (!changes || 'tilesPerObjectUnit' in changes) return null;
   // Lines and strokes that follow the form need a geometry that was prepared with a form field.
   if (followsForm(to) && (formOf(from) !== formOf(to) || 'technique' in changes)) return null;
   if (!('technique' in changes)) return changes;

@@ -52,7 +52,7 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
    */
   material?: HatchingMaterialParameters | ((source: Material, mesh: Mesh) => HatchingMaterialParameters) | undefined;
   /**
-   * The size of the strokes, in tiles of the map per world unit, which is the same on small and large objects. A `tilesPerUnit` among
+   * The size of the strokes, in tiles of the map per world unit, which is the same on small and large objects. A `tilesPerObjectUnit` among
    * the parameters of the materials, in contrast, is per unit of object space. Default: 3 divided by the radius of the whole scene.
    */
   tilesPerWorldUnit?: number | undefined;

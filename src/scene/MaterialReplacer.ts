@@ -21,7 +21,7 @@ export class MaterialReplacer {
   readonly followers: MaterialFollower[] = [];
   /** Keyed by the source, the scale, and whether the mesh deforms. */
   private readonly replacements = new Map<string, HatchingMaterial>();
-  /** The scales of materials whose parameters set no `tilesPerUnit`. */
+  /** The scales of materials whose parameters set no `tilesPerObjectUnit`. */
   private readonly scales = new Map<HatchingMaterial, number>();
 
   constructor(
@@ -43,9 +43,9 @@ export class MaterialReplacer {
     return Array.isArray(old) ? old.map(replace) : replace(old);
   }
 
-  /** Gives strokes the same size in world space, on all materials whose parameters set no `tilesPerUnit`. */
+  /** Gives strokes the same size in world space, on all materials whose parameters set no `tilesPerObjectUnit`. */
   setTilesPerUnit(tilesPerWorldUnit: number): void {
-    for (const [material, scale] of this.scales) material.tilesPerUnit = tilesPerWorldUnit * scale;
+    for (const [material, scale] of this.scales) material.tilesPerObjectUnit = tilesPerWorldUnit * scale;
   }
 
   /** Sets the extent of the scene on all materials whose parameters set none. */
@@ -66,7 +66,7 @@ export class MaterialReplacer {
       this.replacements.set(key, material);
       this.materials.push(material);
       this.followers.push(new MaterialFollower(source, material, Object.keys(parameters)));
-      if (parameters.tilesPerUnit === undefined) this.scales.set(material, scale);
+      if (parameters.tilesPerObjectUnit === undefined) this.scales.set(material, scale);
     }
     return material;
   }

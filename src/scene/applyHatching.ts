@@ -30,7 +30,7 @@ const IN_GLSL: LookMakers = {
  * drawn at once: add `root` and the lights to the scene before. Without them call `renderer.compileAsync(scene, camera)` afterwards.
  *
  * - A material that meshes share becomes one shared material. If the meshes differ in scale, there is one material per scale,
- * because `tilesPerUnit` refers to object space. Meshes that deform get a material of their own.
+ * because `tilesPerObjectUnit` refers to object space. Meshes that deform get a material of their own.
  * - Meshes that already have a `HatchingMaterial` are left alone.
  * - `skipped` lists the meshes that were left alone, each with the reason: those whose material is a `ShaderMaterial`, has an
  * `onBeforeCompile` of its own or shows a render target, as helpers such as grids, mirrors, text and contact shadows do; those with

@@ -186,7 +186,7 @@ function boundsOf(mesh: Mesh, { boundingBox, boundingSphere }: Mesh['geometry'])
 /**
  * Returns a function that computes the matrix from the object space of a mesh to the coordinate frame that all meshes share: the frame
  * of `root`, with its origin in a common centre. Engraved lines in this frame continue from mesh to mesh. Its unit is that of the
- * mesh's object space, because `tilesPerUnit` refers to that. Instanced and batched meshes, and meshes with a singular matrix, have no
+ * mesh's object space, because `tilesPerObjectUnit` refers to that. Instanced and batched meshes, and meshes with a singular matrix, have no
  * such frame.
  *
  * @param centre the centre of all meshes, in world space

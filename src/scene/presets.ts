@@ -27,10 +27,10 @@ const makeOutlines = (): Record<PresetName, HatchingPreset['outlines']> => ({
   },
   woodcut: { outlineWidth: 3.2, ink: '#120e0a' },
   stipple: { outlineWidth: 1, ink: BLACK },
-  pencil: { outlineWidth: 1.7, wobble: 1, tooth: 0.35, toothSize: 1.6, ink: '#34343a' },
-  charcoal: { outlineWidth: 4.5, wobble: 1, tooth: 0.5, toothSize: 2, ink: '#1d1a19' },
+  pencil: { outlineWidth: 1.7, wobble: 1, paperGrain: 0.35, paperGrainSize: 1.6, ink: '#34343a' },
+  charcoal: { outlineWidth: 4.5, wobble: 1, paperGrain: 0.5, paperGrainSize: 2, ink: '#1d1a19' },
   // Chalk draws the light on dark paper, so its contours must not be lost there.
-  chalk: { outlineWidth: 3.4, lostEdges: 0, wobble: 1, tooth: 0.5, toothSize: 2, ink: '#f4f1e6' },
+  chalk: { outlineWidth: 3.4, lostEdges: 0, wobble: 1, paperGrain: 0.5, paperGrainSize: 2, ink: '#f4f1e6' },
 });
 
 /** The map that a material names, or its default map. */

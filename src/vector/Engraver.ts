@@ -41,7 +41,7 @@ export interface EngravedLook {
   crossFrom: number;
   crossAngle: number;
   /** From 0, lines as by a ruling machine, to 1. */
-  handmade: number;
+  irregularity: number;
   /** Whether shadows are drawn by families of their own. */
   crossesInShadows: boolean;
 }
@@ -133,7 +133,7 @@ export class Engraver {
     const { smooth, flat } = place.posed ?? { smooth: viewToField, flat: viewToField };
     return {
       place,
-      cut: cut && readCut(cut, place.field, place.fieldNormal, look.handmade),
+      cut: cut && readCut(cut, place.field, place.fieldNormal, look.irregularity),
       smooth: screenMap(place.fieldNormal, smooth, seen),
       flat: screenMap(place.flatNormal, flat, seen, true),
       triangle: screenMap(place.flatNormal, flat, seen),
@@ -158,7 +158,7 @@ export class Engraver {
 
   measure(family: FamilyName, at: EngravedPlace, tones: Tones): FamilyMeasure {
     const reading = this.read(family, at);
-    const { spacing, medium, handmade } = this.look;
+    const { spacing, medium, irregularity } = this.look;
     const { smooth, flat, triangle } = at;
     const { gradient, rise, coarsest, pressure } = reading;
     const tone = handTone(pressure, this.toneOf(family, reading, tones));
@@ -170,7 +170,7 @@ export class Engraver {
       octave,
       coarsest,
       perPixel: changePerPixel(gradient, flat),
-      widths: this.cut === null ? 0 : handmade,
+      widths: this.cut === null ? 0 : irregularity,
       // Lines that follow the form have other numbers on the other side of a seam, so they cannot dissolve one by one.
       left: this.cut === null ? 1 : tones.left,
       isEven: this.cut !== null && medium === 'ink',
@@ -205,18 +205,18 @@ export class Engraver {
     { gradient, value, coarsest }: Reading,
     cutOctave: number,
   ): StrokePlace {
-    const { strokeLength, spacing, handmade } = this.look;
-    const { sizedOnScreen } = spacing;
+    const { strokeLength, spacing, irregularity } = this.look;
+    const { screenSpaceShare } = spacing;
     return {
-      along: alongLines(field, fieldNormal, gradient, smooth, { strokeLength, sizedOnScreen }),
+      along: alongLines(field, fieldNormal, gradient, smooth, { strokeLength, screenSpaceShare }),
       uphill: uphillOnPicture(gradient, flat),
       repeat: this.cut === null ? powerOf2(coarsest) : Infinity,
-      ...{ medium, handmade, value, cutOctave },
+      ...{ medium, irregularity, value, cutOctave },
     };
   }
 
   private read(family: FamilyName, { cut: reading, place: { field, form, formCrossing } }: EngravedPlace): Reading {
-    const { handmade, lineField, medium } = this.look;
+    const { irregularity, lineField, medium } = this.look;
     if (this.cut !== null && reading !== null) {
       const lean = this.leans[family];
       return {
@@ -230,13 +230,13 @@ export class Engraver {
     const isAcross = lineField === 'acrossForm';
     const [first, other] = isAcross ? [formCrossing, form] : [form, formCrossing];
     const coarsest = isAcross ? COARSEST_OCTAVES.toReversed() : COARSEST_OCTAVES;
-    const a = readForm(first, field, handmade, medium === 'ink');
+    const a = readForm(first, field, irregularity, medium === 'ink');
     const rest = { pressure: a.pressure, firstShare: 1, shareB: 1 };
     if (family === 'first') {
       const { gradient } = first;
       return { value: a.value, gradient, rise: lengthOf(gradient), coarsest: coarsest[0], ...rest };
     }
-    const b = readForm(other, field, handmade, medium === 'ink');
+    const b = readForm(other, field, irregularity, medium === 'ink');
     const rise = lengthOf(other.gradient);
     if (family === 'crossB') return { value: b.value, gradient: other.gradient, rise, coarsest: coarsest[1], ...rest };
     // The difference of the two functions is whole across seams too, and its lines lean the other way.

@@ -199,7 +199,7 @@ class DotPlacer {
     const { set, size, layers } = this.scene;
     const { plane, level, layer } = cellsOf;
     const cells = 2 ** level;
-    const [shiftU, shiftV] = setShift(plane.axis, size.tilesPerUnit);
+    const [shiftU, shiftV] = setShift(plane.axis, size.tilesPerObjectUnit);
     const [a, b, c] = places.map(({ field }) => {
       const place = inLayer(field, layer, layers);
       return [cells * (dot(place, plane.u) + shiftU), cells * (dot(place, plane.v) + shiftV)];

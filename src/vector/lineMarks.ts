@@ -33,7 +33,7 @@ export interface FamilyMeasure {
 export interface StrokePlace {
   medium: Exclude<LineMedium, 'ink'>;
   along: Along;
-  handmade: number;
+  irregularity: number;
   /** The octave of the spacing of a woodcut's cuts, which is wider where white or black is rare. */
   cutOctave: number;
   /** The step of values across seams. */
@@ -139,8 +139,8 @@ function penTone(measure: FamilyMeasure): number {
   return Math.min(Math.max(tone, LEAST_PEN_TONE) / drawn, MOST_PEN_TONE);
 }
 
-const penOf = ({ tone, octave }: FamilyMeasure, { along, handmade, repeat }: StrokePlace): Pen =>
-  penFor(tone, along, handmade, repeat, octave);
+const penOf = ({ tone, octave }: FamilyMeasure, { along, irregularity, repeat }: StrokePlace): Pen =>
+  penFor(tone, along, irregularity, repeat, octave);
 
 /** The value of a line at a place: across seams of the form it differs from that where the line begins. */
 function sameLine({ value, repeat }: StrokePlace, line: Line): number {

@@ -220,7 +220,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const curve = curveOf(this.toneCurve);
     return [
       ...choicesOf(this),
-      Number(this.sizedOnScreen > 0),
+      Number(this.screenSpaceShare > 0),
       this.strokeAnchor,
       toneModel,
       toneNormal,
@@ -243,7 +243,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     }
     writeImportance(mesh, takesWeight(look), u);
     u.lineContrast.value = lineContrast(mesh.geometry);
-    writeFieldFrame(u, this.tilesPerUnit, mesh.geometry, mesh);
+    writeFieldFrame(u, this.tilesPerObjectUnit, mesh.geometry, mesh);
     if (hasOtherFormAngle(mesh.geometry, this) && formOf(this)) noteFormAngle(mesh.geometry, this);
     modelView.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld);
     (u.viewToObject.value as Matrix3).getNormalMatrix(modelView).transpose();

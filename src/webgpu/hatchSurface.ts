@@ -99,7 +99,7 @@ function anchoredIn(look: Look, { receivedShadows }: HatchingSurface, builder: N
   const parameters = readHatchingParameters(builder, lights, field, receivedShadows);
   const layers = strokeLayers === 'lights' && !several ? 'single' : strokeLayers;
   const defines: StrokeDefines = {
-    isSizedOnScreen: look.sizedOnScreen > 0,
+    isSizedOnScreen: look.screenSpaceShare > 0,
     isUpToSign: several || followsForm(field),
     medium,
     pixel: pixelFromBelow(),

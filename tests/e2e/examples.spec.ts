@@ -234,7 +234,7 @@ test.describe('<hatched-model>', () => {
       await expect.poll(() => ink(jug)).toBeLessThan(0.95 * usual);
       // The eyes of the fish are black.
       const hatched = await ink(fish);
-      await set(fish, 'local-tone', '0');
+      await set(fish, 'color-hatching', '0');
       await expect.poll(() => ink(fish)).toBeLessThan(hatched - 5e-5);
       await set(fish, 'color-fill', '1');
       await expect.poll(() => ink(fish)).toBeGreaterThan(hatched);

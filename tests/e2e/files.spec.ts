@@ -108,7 +108,7 @@ test('cameras, lights and variants of a glTF file can be chosen', { tag: '@all' 
   Object.assign(json.meshes[0].primitives[0], { extensions: { KHR_materials_variants: { mappings } } });
   // Wide enough for the card.
   await page.setViewportSize({ width: 1000, height: 500 });
-  await openPlayground(page, `${SMALL}&localTone=100`);
+  await openPlayground(page, `${SMALL}&colorHatching=100`);
   await drop(page, [file('extras.glb', Buffer.from(builder.glb()))]);
   const views = page.getByRole('group', { name: 'Views' }).getByRole('button');
   await expect(views).toHaveText(['1Lights of the file', '2Light for the view', '3close', '4plan']);

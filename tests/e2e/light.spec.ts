@@ -49,7 +49,10 @@ async function expectFaceAsReference(page: Page, along: 'T' | 'B'): Promise<void
 }
 
 test('strokes and tone of a face follow the light when it is dragged', async ({ page }) => {
-  await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=45&lightElevation=5&tilesPerUnit=5`);
+  await openPlayground(
+    page,
+    `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=45&lightElevation=5&tilesPerObjectUnit=5`,
+  );
   await expectFaceAsReference(page, 'B');
   const before = await lampPlace(page);
   await dragLamp(page, { x: -40, y: -90 });
@@ -218,7 +221,10 @@ test.describe('on a narrow sheet', () => {
 });
 
 test('arrow keys move the light by 5°, with Shift by 1°', async ({ page }) => {
-  await openPlayground(page, `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&tilesPerUnit=5`);
+  await openPlayground(
+    page,
+    `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&tilesPerObjectUnit=5`,
+  );
   await page.locator('#lamp').focus();
   await page.keyboard.press('ArrowRight');
   expect(await lampPlace(page)).toMatchObject({ azimuth: 45, elevation: 10 });
@@ -236,7 +242,7 @@ test.describe('by touch', () => {
   test('a finger moves the light, a second one changes its distance', { tag: '@all' }, async ({ page }) => {
     await openPlayground(
       page,
-      `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&tilesPerUnit=5`,
+      `${PAPER}model=cube&camera=0,0,5,0,0,0&lightAzimuth=40&lightElevation=10&lightKind=point&tilesPerObjectUnit=5`,
     );
     const before = { place: await lampPlace(page), picture: await readDrawing(page) };
     const session = await page.context().newCDPSession(page);

@@ -197,7 +197,7 @@ test('a model stands on its shadow or on a floor; a picture without paper keeps 
 }, async ({ page }) => {
   // The whole shadow lies on the sheet: it dissolves sooner where it would leave it.
   const view =
-    'model=sphere&camera=1.4,1.1,6.2,0,0,0&lightAzimuth=-60&lightElevation=50&outlines=off&technique=engraved&sizedOnScreen=100';
+    'model=sphere&camera=1.4,1.1,6.2,0,0,0&lightAzimuth=-60&lightElevation=50&outlines=off&technique=engraved&screenSpaceShare=100';
   const below: Region = { left: 0, top: 0.6, right: 1, bottom: 0.9 };
   const ink: Record<string, number> = {};
   for (const look of ['none', 'shadow', 'floor']) {
@@ -250,7 +250,7 @@ test('strokes sized on the screen keep their spacing when the camera comes neare
   const faceDepth = 1 / Math.sqrt(3);
   const spacing = async (constancy: number, distanceToFace: number): Promise<number> => {
     const camera = `0,0,${(faceDepth + distanceToFace).toFixed(3)},0,0,0`;
-    await openPlayground(page, `${CUBE}&sizedOnScreen=${constancy}&tilesPerUnit=1&camera=${camera}`);
+    await openPlayground(page, `${CUBE}&screenSpaceShare=${constancy}&tilesPerObjectUnit=1&camera=${camera}`);
     return edgeSpacing(await readDrawing(page), MIDDLE);
   };
   const near = await spacing(100, 1.4);

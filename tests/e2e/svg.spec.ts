@@ -192,7 +192,7 @@ test('a comparison leaves as the technique of the page alone', { tag: '@all' }, 
 /** Looks, views and lights: one with shadows and dark hollows, and one of composition, other lights and hidden lines. */
 const LINKS = {
   shaded:
-    'technique=engraved&lineField=auto&shadows=on&ground=shadow&shadowStrokes=cross&occlusion=100&hollowTone=100&camera=2.2725582,1.480766,4.4858494,0.0124,-0.053,0.01137',
+    'technique=engraved&lineField=auto&shadows=on&ground=shadow&shadowStrokes=cross&occlusion=100&hollowStrength=100&camera=2.2725582,1.480766,4.4858494,0.0124,-0.053,0.01137',
   composed:
     'preset=pen&technique=engraved&background=on&depth=on&focus=on&vignette=40&lightKind=point&lightAzimuth=-60&lightElevation=20&lightFollows=viewer&secondLight=opposite&upAxis=z&outlineHidden=dashed&camera=3,2,3,0,0,0',
 };

@@ -85,7 +85,7 @@ for (const technique of kindsOfTechnique) {
           });
           return pixelsOf(sceneOf(root, sun()));
         };
-        return [await show(1, 1), await show(0.05, 20), await show(0.05, 20, { tilesPerUnit: 2 })];
+        return [await show(1, 1), await show(0.05, 20), await show(0.05, 20, { tilesPerObjectUnit: 2 })];
       }, technique);
       expect(covered(modelled)).toBeGreaterThan(800);
       // Stripes fall on other pixels where positions are rounded otherwise.
@@ -164,7 +164,7 @@ for (const technique of kindsOfTechnique) {
         const before = pixelsOf(scene, renderer);
         const memory = [use()];
         // Lines sized on the object would fade into their tone in such a small picture.
-        const sized = technique === 'anchored' ? { sizedOnScreen: 0 } : {};
+        const sized = technique === 'anchored' ? { screenSpaceShare: 0 } : {};
         const handle = await applyHatching(root, { material: { technique, ...sized } });
         const hatched = pixelsOf(scene, renderer);
         memory.push(use());

@@ -27,7 +27,7 @@ import {
 } from './referenceScenes.js';
 
 interface AnchoredCase extends ReferenceCase {
-  anchorSpacing?: number;
+  latticeSpacing?: number;
   strokeField?: 'form' | 'acrossForm' | 'sheet';
 }
 
@@ -44,7 +44,7 @@ const cases: AnchoredCase[] = [
     importance: 0.7,
     material: { focus: [0.3, 0.4, 0.2], focusRadius: 0.5, vignette: 0.6 },
   },
-  { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
+  { name: 'fading with its depth', material: { depthFade: 0.8, depthFadeStart: 2.4, depthFadeEnd: 4.1 } },
   { name: 'point light', lights: [point] },
   { name: 'spot light', lights: [spot] },
   { name: 'hemisphere light alone', lights: [hemisphere] },
@@ -54,16 +54,16 @@ const cases: AnchoredCase[] = [
   { name: 'mirrored object', matrixWorld: mirrored },
   {
     name: 'no rotation, other scale and spacing',
-    material: { strokeRotation: 0, tilesPerUnit: 3 },
-    anchorSpacing: 0.6,
+    material: { strokeAngle: 0, tilesPerObjectUnit: 3 },
+    latticeSpacing: 0.6,
   },
-  { name: 'between levels of the map', material: { tilesPerUnit: 0.6 } },
-  { name: 'seen at a slant', mesh: wall, matrixWorld: leaning, material: { strokeRotation: 0 } },
+  { name: 'between levels of the map', material: { tilesPerObjectUnit: 0.6 } },
+  { name: 'seen at a slant', mesh: wall, matrixWorld: leaning, material: { strokeAngle: 0 } },
   {
     name: 'seen at a slant, strokes the other way',
     mesh: wall,
     matrixWorld: leaning,
-    material: { strokeRotation: 1.5 },
+    material: { strokeAngle: 1.5 },
   },
   {
     name: 'seen at a slant, two lights and layers',
@@ -77,12 +77,12 @@ const cases: AnchoredCase[] = [
     mesh: wall,
     matrixWorld: leaning,
     isOrthographic: true,
-    sizedOnScreen: 1,
+    screenSpaceShare: 1,
   },
-  { name: 'sized on the screen', sizedOnScreen: 1 },
-  { name: 'sized on the screen, seen at a slant', mesh: wall, matrixWorld: leaning, sizedOnScreen: 1 },
-  { name: 'sized on the screen, placed object', sizedOnScreen: 1, matrixWorld: placed, lights: [point] },
-  { name: 'sized half on the screen, two lights', sizedOnScreen: 0.5, lights: [directional, redSide] },
+  { name: 'sized on the screen', screenSpaceShare: 1 },
+  { name: 'sized on the screen, seen at a slant', mesh: wall, matrixWorld: leaning, screenSpaceShare: 1 },
+  { name: 'sized on the screen, placed object', screenSpaceShare: 1, matrixWorld: placed, lights: [point] },
+  { name: 'sized half on the screen, two lights', screenSpaceShare: 0.5, lights: [directional, redSide] },
   ...(['halfLambert', 'phong', 'toon'] as const).flatMap((toneModel) => [
     { name: toneModel, material: { toneModel } },
     { name: `${toneModel}, point light, moved object`, lights: [point], matrixWorld: placed, material: { toneModel } },
@@ -101,13 +101,13 @@ const cases: AnchoredCase[] = [
   {
     name: 'local tone, in a shadow that crosses',
     lights: [blocked, ambient],
-    material: { color: [0.3, 0.12, 0.5], localTone: 0.8, colorFill: 0, shadowStrokes: 'cross' },
+    material: { color: [0.3, 0.12, 0.5], colorHatching: 0.8, colorFill: 0, shadowStrokes: 'cross' },
   },
   { name: 'reflected light', lights: [spot], material: { reflectedLight: 0.4 } },
   {
     name: 'exposed, of a colour, in a shadow that crosses',
     lights: [blocked, ambient],
-    material: { exposure: 1.7, color: [0.3, 0.12, 0.5], localTone: 0.5, colorFill: 0, shadowStrokes: 'cross' },
+    material: { exposure: 1.7, color: [0.3, 0.12, 0.5], colorHatching: 0.5, colorFill: 0, shadowStrokes: 'cross' },
   },
   { name: 'second layer under two lights', lights: crossed, material: { strokeLayers: 'lights' } },
   {
@@ -130,7 +130,7 @@ const cases: AnchoredCase[] = [
     matrixWorld: leaning,
     lights: crossed,
     material: { strokeLayers: 'tone', crossFrom: 0.1, crossAngle: 0.4 },
-    sizedOnScreen: 1,
+    screenSpaceShare: 1,
   },
   ...(['tone', 'cross', 'reorient'] as const).flatMap((shadowStrokes) => [
     { name: `in shadow, ${shadowStrokes}`, lights: [blocked, ambient], material: { shadowStrokes } },
@@ -144,7 +144,7 @@ const cases: AnchoredCase[] = [
   ...(
     [
       { name: 'under two lights', lights: [directional, redSide] },
-      { name: 'sized on the screen', sizedOnScreen: 1 },
+      { name: 'sized on the screen', screenSpaceShare: 1 },
       { name: 'of a moved object', matrixWorld: placed },
       { name: 'of a mirrored object', matrixWorld: mirrored },
       { name: 'in layers by tone', material: { strokeLayers: 'tone', crossFrom: 0.2 } },
@@ -160,7 +160,7 @@ const cases: AnchoredCase[] = [
       { name: 'of a moved and scaled object', matrixWorld: placed },
       { name: 'of a mirrored object', matrixWorld: mirrored },
       { name: 'seen by an orthographic camera', matrixWorld: rotated, isOrthographic: true },
-      { name: 'under two lights', lights: [directional, redSide], sizedOnScreen: 1 },
+      { name: 'under two lights', lights: [directional, redSide], screenSpaceShare: 1 },
     ] as const satisfies ReferenceCase[]
   ).map(({ name, ...rest }) => ({ ...rest, name: `along the sheet, ${name}`, strokeField: 'sheet' as const })),
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
@@ -170,13 +170,18 @@ const cases: AnchoredCase[] = [
 function gradientAt({ positions, material }: HatchingSpec): (point: Vec3) => Vec3 {
   const centre = centreOf(positions);
   return (point) =>
-    quadraticGradient(form[0], point.map((x, axis) => (x - centre[axis]) * material.tilesPerUnit) as Vec3);
+    quadraticGradient(form[0], point.map((x, axis) => (x - centre[axis]) * material.tilesPerObjectUnit) as Vec3);
 }
 
 /** The page's input for a case. */
-const specFor = ({ anchorSpacing = 0.35, sizedOnScreen = 0, strokeField, ...rest }: AnchoredCase): HatchingSpec => ({
-  ...specOf({ ...rest, sizedOnScreen }, 'anchored'),
-  anchorSpacing,
+const specFor = ({
+  latticeSpacing = 0.35,
+  screenSpaceShare = 0,
+  strokeField,
+  ...rest
+}: AnchoredCase): HatchingSpec => ({
+  ...specOf({ ...rest, screenSpaceShare }, 'anchored'),
+  latticeSpacing,
   ...(strokeField && { strokes: { strokeField, ...(strokeField !== 'sheet' && { form }) } }),
 });
 
@@ -222,15 +227,15 @@ export function compareAnchored(test: TestOnOnePage): void {
       const reference = referenceOf(spec);
       const hasForm = strokeField === 'form' || strokeField === 'acrossForm';
       const settings: AnchoredSettings = {
-        tilesPerUnit: spec.material.tilesPerUnit,
-        strokeRotation: spec.material.strokeRotation,
-        anchorSpacing: spec.anchorSpacing!,
+        tilesPerObjectUnit: spec.material.tilesPerObjectUnit,
+        strokeAngle: spec.material.strokeAngle,
+        latticeSpacing: spec.latticeSpacing!,
         halfTiles: hasForm || spec.lights.filter(({ type }) => type !== 'ambient').length > 1,
-        sizedOnScreen: spec.sizedOnScreen!,
+        screenSpaceShare: spec.screenSpaceShare!,
         shadowStrokes: spec.material.shadowStrokes,
         ...(hasForm && { axisAt: formAxisOf(gradientAt(spec), strokeField === 'acrossForm') }),
         ...(strokeField === 'sheet' && {
-          axisAt: slantAxisOf(spec.camera, spec.matrixWorld, spec.material.strokeRotation),
+          axisAt: slantAxisOf(spec.camera, spec.matrixWorld, spec.material.strokeAngle),
         }),
         threshold: analyticThreshold.field,
         mapSize: analyticThreshold.size,

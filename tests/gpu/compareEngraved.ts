@@ -48,14 +48,14 @@ const form: NonNullable<LineSettings['form']> = [
 
 const formCases: readonly EngravedCase[] = [
   { name: 'along the form' },
-  { name: 'along the form, a ruling machine', lines: { handmade: 0 } },
+  { name: 'along the form, a ruling machine', lines: { irregularity: 0 } },
   { name: 'across the form', lines: { lineField: 'acrossForm' } },
   { name: 'along the form, crossing from light tones on', lines: { crossFrom: 0.2 } },
   { name: 'along the form, somewhat wider apart than the lines that were baked', lines: { lineSpacing: 40 } },
   { name: 'across the form, wider apart than lines may lie', lines: { lineField: 'acrossForm', lineSpacing: 150 } },
   { name: 'along the form, wider apart than lines may lie', lines: { lineSpacing: 150 } },
   { name: 'along the form, finer than lines may lie', lines: { lineSpacing: 2.6 } },
-  { name: 'along the form, sized on the object', sizedOnScreen: 0, lines: { lineSpacing: 12 } },
+  { name: 'along the form, sized on the object', screenSpaceShare: 0, lines: { lineSpacing: 12 } },
   { name: 'along the form of a rotated, moved and scaled object', matrixWorld: placed },
   { name: 'along the form of a mirrored object', matrixWorld: mirrored },
   { name: 'along the form of an object scaled unequally', matrixWorld: squashed },
@@ -73,15 +73,15 @@ const formCases: readonly EngravedCase[] = [
 const cases: EngravedCase[] = [
   ...formCases.map((one) => ({ ...one, lines: { lineField: 'form' as const, form, ...one.lines } })),
   { name: 'tangent to the light' },
-  { name: 'tangent to the light, a ruling machine', lines: { handmade: 0 } },
+  { name: 'tangent to the light, a ruling machine', lines: { irregularity: 0 } },
   { name: 'towards the light', lines: { lineField: 'towards' } },
-  { name: 'towards the light, a ruling machine', lines: { lineField: 'towards', handmade: 0 } },
+  { name: 'towards the light, a ruling machine', lines: { lineField: 'towards', irregularity: 0 } },
   { name: 'tangent to a light from above', lights: [fromAbove] },
   ...(['x', 'y', 'z'] as const).map((lineField) => ({
     name: `across the axis ${lineField}`,
-    lines: { lineField, handmade: lineField === 'x' ? 0 : 0.4 },
+    lines: { lineField, irregularity: lineField === 'x' ? 0 : 0.4 },
   })),
-  { name: 'a very unsteady hand', lines: { handmade: 1 } },
+  { name: 'a very unsteady hand', lines: { irregularity: 1 } },
   { name: 'with a pen', lines: { medium: 'pen', lineSpacing: 9 } },
   {
     name: 'with a pen, aslant, crossing from light tones on',
@@ -97,7 +97,7 @@ const cases: EngravedCase[] = [
   },
   {
     name: 'carved across the axis y, sized on the object',
-    sizedOnScreen: 0,
+    screenSpaceShare: 0,
     lines: { medium: 'woodcut', lineField: 'y' },
   },
   {
@@ -111,8 +111,8 @@ const cases: EngravedCase[] = [
   { name: 'crossing at right angles from light tones on', lines: { crossFrom: 0.2, crossAngle: Math.PI / 2 } },
   { name: 'finer than lines may lie', lines: { lineSpacing: 2.6 } },
   { name: 'wide apart', lines: { lineSpacing: 21 } },
-  { name: 'sized on the object', sizedOnScreen: 0, lines: { lineSpacing: 12 } },
-  { name: 'sized half on the screen', sizedOnScreen: 0.5 },
+  { name: 'sized on the object', screenSpaceShare: 0, lines: { lineSpacing: 12 } },
+  { name: 'sized half on the screen', screenSpaceShare: 0.5 },
   { name: 'rotated object', matrixWorld: rotated },
   { name: 'rotated, moved and scaled object', matrixWorld: placed },
   { name: 'mirrored object', matrixWorld: mirrored },
@@ -126,14 +126,14 @@ const cases: EngravedCase[] = [
   { name: 'no light with a direction', lights: [hemisphere] },
   { name: 'a near lamp', lights: [lamp] },
   { name: 'a near lamp, rotated, moved and scaled object', lights: [lamp], matrixWorld: placed },
-  { name: 'turned from the light', material: { strokeRotation: 0.7 } },
+  { name: 'turned from the light', material: { strokeAngle: 0.7 } },
   {
     name: 'turned from the direction to the light',
-    material: { strokeRotation: 0.4 },
+    material: { strokeAngle: 0.4 },
     lines: { lineField: 'towards' },
   },
-  { name: 'turned from a near lamp', lights: [lamp], material: { strokeRotation: -0.6 } },
-  { name: 'turned beyond a near lamp', lights: [lamp], material: { strokeRotation: 2.2 } },
+  { name: 'turned from a near lamp', lights: [lamp], material: { strokeAngle: -0.6 } },
+  { name: 'turned beyond a near lamp', lights: [lamp], material: { strokeAngle: 2.2 } },
   { name: 'towards a near lamp', lights: [lamp], lines: { lineField: 'towards' } },
   { name: 'a lamp, a spot and a light without an end', lights: [lamp, redSide, spot] },
   { name: 'exposed, perceptual tone', lights: [redSide, spot], material: { exposure: 2.2, toneCurve: 'perceptual' } },
@@ -148,7 +148,7 @@ const cases: EngravedCase[] = [
   {
     name: 'local tone, of light ink on dark paper',
     material: {
-      ...{ color: [0.3, 0.12, 0.5], localTone: 0.8, colorFill: 0, reflectedLight: 0.4 },
+      ...{ color: [0.3, 0.12, 0.5], colorHatching: 0.8, colorFill: 0, reflectedLight: 0.4 },
       toneCurve: [
         [0, 0.95],
         [0.6, 0.3],
@@ -174,18 +174,18 @@ const cases: EngravedCase[] = [
   },
   { name: 'falling off towards the rim', material: { vignette: 0.9 } },
   { name: 'of less importance', importance: 0.4 },
-  { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
+  { name: 'fading with its depth', material: { depthFade: 0.8, depthFadeStart: 2.4, depthFadeEnd: 4.1 } },
   {
     name: 'fading with its depth, seen at a slant by an orthographic camera',
     mesh: wall,
     matrixWorld: leaning,
     isOrthographic: true,
-    material: { depthFade: 1, depthNear: 2, depthFar: 4.5 },
+    material: { depthFade: 1, depthFadeStart: 2, depthFadeEnd: 4.5 },
   },
   {
     name: 'crossed by shadow, fading',
     lights: [blocked, ambient],
-    material: { shadowStrokes: 'cross', depthFade: 0.6, depthNear: 2, depthFar: 4 },
+    material: { shadowStrokes: 'cross', depthFade: 0.6, depthFadeStart: 2, depthFadeEnd: 4 },
   },
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
@@ -199,7 +199,7 @@ const specFor = ({ lines, ...rest }: EngravedCase): HatchingSpec => ({
     strokeLength: 72,
     crossFrom: 0.52,
     crossAngle: Math.PI / 3,
-    handmade: 0.4,
+    irregularity: 0.4,
     ...lines,
   },
 });
@@ -245,7 +245,7 @@ export function compareEngraved(test: TestOnOnePage): void {
       const scene = {
         ...spec,
         lines: spec.lines!,
-        sizedOnScreen: spec.sizedOnScreen!,
+        screenSpaceShare: spec.screenSpaceShare!,
         centre: centreOf(spec.positions),
       };
       await expectDarkness(page, spec, reference, engravedDarkness(scene, reference));

@@ -24,8 +24,8 @@ const cases: StippleCase[] = [
   { name: 'sized on the screen' },
   { name: 'large, with hard edges', dots: { strokeWidth: 9, edgePixels: 0 } },
   { name: 'finer than a pixel', dots: { strokeWidth: 1 } },
-  { name: 'sized on the object', sizedOnScreen: 0, material: { tilesPerUnit: 0.3 } },
-  { name: 'sized half on the screen', sizedOnScreen: 0.5, material: { tilesPerUnit: 0.3 } },
+  { name: 'sized on the object', screenSpaceShare: 0, material: { tilesPerObjectUnit: 0.3 } },
+  { name: 'sized half on the screen', screenSpaceShare: 0.5, material: { tilesPerObjectUnit: 0.3 } },
   { name: 'rotated object', matrixWorld: rotated },
   { name: 'rotated, moved and scaled object, two lights', matrixWorld: placed, lights: [directional, redSide] },
   { name: 'mirrored object', matrixWorld: mirrored },
@@ -38,7 +38,7 @@ const cases: StippleCase[] = [
     importance: 0.7,
     material: { focus: [0.3, 0.4, 0.2], focusRadius: 0.5, vignette: 0.6 },
   },
-  { name: 'fading with its depth', material: { depthFade: 0.8, depthNear: 2.4, depthFar: 4.1 } },
+  { name: 'fading with its depth', material: { depthFade: 0.8, depthFadeStart: 2.4, depthFadeEnd: 4.1 } },
   { name: 'in shadow', lights: [blocked, ambient] },
 ];
 
@@ -74,7 +74,7 @@ export function compareStipple(test: TestOnOnePage): void {
     test(`stipple equals the dots of vector files: ${one.name}`, detailsOf(one.name), async ({ page }) => {
       const spec = specFor(one);
       const reference = referenceOf(spec);
-      const scene = { ...spec, dots: spec.dots!, sizedOnScreen: spec.sizedOnScreen! };
+      const scene = { ...spec, dots: spec.dots!, screenSpaceShare: spec.screenSpaceShare! };
       await expectDarkness(page, spec, reference, stippleDarkness(scene, reference));
     });
   }

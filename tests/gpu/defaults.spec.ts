@@ -78,12 +78,12 @@ test('a preset by its name draws the same as its parameters, and one map of a st
       strokeLength: 72,
       lineSpacing: 4.4,
     } as const;
-    const values = { exposure: 'auto', localTone: 0.8, colorFill: 0, hollowTone: 1 } as const;
+    const values = { exposure: 'auto', colorHatching: 0.8, colorFill: 0, hollowStrength: 1 } as const;
     const pen = await draw(new UsersMaterial({ preset: 'pen' }));
     const { textures } = renderer.info.memory;
     const black = await draw(
       new UsersMaterial({
-        ...{ ...hand, ...values, crossFrom: 0.6, handmade: 0.6, toneCurve: 'printed', reflectedLight: 0.35 },
+        ...{ ...hand, ...values, crossFrom: 0.6, irregularity: 0.6, toneCurve: 'printed', reflectedLight: 0.35 },
         ...{ ink: '#1c1a17', paper: '#f7f3e8' },
       }),
     );

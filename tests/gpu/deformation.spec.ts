@@ -37,7 +37,7 @@ for (const technique of ['triangle', 'adjacency'] as const) {
               tonalArtMap,
               technique,
               toneNormal,
-              tilesPerUnit: 2,
+              tilesPerObjectUnit: 2,
               side: THREE.DoubleSide,
             });
             const pair: number[][] = [];
@@ -202,7 +202,7 @@ for (const technique of techniques) {
         const material = new HatchingMaterial({
           tonalArtMap: stripedMap(),
           technique,
-          tilesPerUnit: 2,
+          tilesPerObjectUnit: 2,
           side: THREE.DoubleSide,
           // The axis of a light belongs to the mesh, which an object turns and bones do not.
           ...(technique === 'engraved' && { lineField: 'y', lineSpacing: 12 }),
@@ -236,7 +236,7 @@ for (const technique of ['triangle', 'adjacency'] as const) {
         const { THREE, HatchingMaterial, prepareHatchingGeometry, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } =
           window.toolkit;
         const renderer = makeRenderer();
-        const material = new HatchingMaterial({ tonalArtMap: stripedMap(), technique, tilesPerUnit: 2 });
+        const material = new HatchingMaterial({ tonalArtMap: stripedMap(), technique, tilesPerObjectUnit: 2 });
         const turn = new THREE.Matrix4().makeRotationX(0.6).multiply(new THREE.Matrix4().makeRotationZ(0.8));
         const cases = [
           [new THREE.TorusGeometry(0.6, 0.3, 14, 24), turn],

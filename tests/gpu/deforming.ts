@@ -190,7 +190,8 @@ function deviation(renderer: THREE.WebGLRenderer, mesh: THREE.Mesh<THREE.BufferG
 
 /** Makes a material write the stroke coordinates of two triangles of the adjacency primitive instead of a colour. */
 function writeCoordinates(material: HatchingMaterial, first: 0 | 2): void {
-  const ofAnchored = 'tilesPerUnit * vec2(dot(vRestPosition, parameters.uAxis), dot(vRestPosition, parameters.vAxis))';
+  const ofAnchored =
+    'tilesPerObjectUnit * vec2(dot(vRestPosition, parameters.uAxis), dot(vRestPosition, parameters.vAxis))';
   material.fragmentShader = material.fragmentShader.replace(
     '#include <opaque_fragment>',
     {
@@ -256,7 +257,7 @@ function drift(
   const tiles = 8 / (2 * mesh.geometry.boundingSphere!.radius);
   const materials = ([0, 2] as const).slice(0, mesh.material.technique === 'adjacency' ? 2 : 1).map((first) => {
     const material = mesh.material.clone();
-    material.tilesPerUnit = tiles;
+    material.tilesPerObjectUnit = tiles;
     writeCoordinates(material, first);
     return material;
   });

@@ -15,20 +15,20 @@ test('the mean darkness is the tone, at every distance between octaves, with and
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2).rotateZ(0.3), { layout: 'indexed' });
-    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', sizedOnScreen: 1 });
+    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', screenSpaceShare: 1 });
     const mesh = new THREE.Mesh(geometry, material);
     const light = new THREE.AmbientLight(0xffffff, 0);
     const scene = paperScene(mesh, light);
     const camera = new THREE.OrthographicCamera(-0.6, 0.6, 0.6, -0.6, 0.1, 10);
     camera.position.z = 2;
     const errors: { error: number; medium: 'ink' | 'pen'; tone: number }[] = [];
-    for (const [handmade, crossFrom, medium] of [
+    for (const [irregularity, crossFrom, medium] of [
       [0, 0.52, 'ink'],
       [0, 1, 'ink'],
       [0.4, 0.52, 'ink'],
       [0.4, 0.52, 'pen'],
     ] as const) {
-      Object.assign(material, { handmade, crossFrom, medium, strokeLength: 30 });
+      Object.assign(material, { irregularity, crossFrom, medium, strokeLength: 30 });
       for (const tone of [0.1, 0.3, 0.5, 0.7, 0.85, 0.95]) {
         // A white surface shows a radiance of the intensity over π.
         light.intensity = Math.PI * (1 - tone);
@@ -60,8 +60,8 @@ test('carved lines are white wedges that end in points, and their mean is the to
       medium: 'woodcut',
       crossFrom: 1,
       lineField: 'y',
-      sizedOnScreen: 1,
-      handmade: 0,
+      screenSpaceShare: 1,
+      irregularity: 0,
       strokeLength: 50,
     });
     const light = new THREE.AmbientLight(0xffffff, 0);
@@ -116,9 +116,9 @@ test('lines lie as far apart as asked on the screen, from near and far, or half 
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(8, 8), { layout: 'indexed' });
     const material = new HatchingMaterial({
       technique: 'engraved',
-      handmade: 0,
+      irregularity: 0,
       lineField: 'y',
-      sizedOnScreen: 1,
+      screenSpaceShare: 1,
       lineSpacing: 6,
       crossFrom: 1,
     });
@@ -146,7 +146,7 @@ test('a picture of more pixels has the same lines, whatever they are sized on, a
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry, scaledSizes } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(8, 8), { layout: 'indexed' });
-    const look = { technique: 'engraved', handmade: 0, lineField: 'y', crossFrom: 1 } as const;
+    const look = { technique: 'engraved', irregularity: 0, lineField: 'y', crossFrom: 1 } as const;
     const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);
     camera.position.z = 5;
     /** The middle column of a picture with sizes as they are given, or with others too. */
@@ -158,12 +158,12 @@ test('a picture of more pixels has the same lines, whatever they are sized on, a
     };
     const outlinesIn = (column: number[]) =>
       column.filter((ink, y) => y > 0 && ink >= 0.3 && column[y - 1] < 0.3).length;
-    const pictures = [0, 0.5, 1].map((sizedOnScreen) => {
-      const sizes = { sizedOnScreen, lineSpacing: [80, 20, 5][2 * sizedOnScreen] };
+    const pictures = [0, 0.5, 1].map((screenSpaceShare) => {
+      const sizes = { screenSpaceShare, lineSpacing: [80, 20, 5][2 * screenSpaceShare] };
       return [1, 2, 4].map((factor) => outlinesIn(columnOf(150 * factor, { ...sizes, ...scaledSizes(sizes, factor) })));
     });
-    const sizes = { sizedOnScreen: 1, lineSpacing: 4.5, finestSpacing: 3 };
-    const { finestSpacing: _, ...bound } = scaledSizes(sizes, 0.5);
+    const sizes = { screenSpaceShare: 1, lineSpacing: 4.5, minLineSpacing: 3 };
+    const { minLineSpacing: _, ...bound } = scaledSizes(sizes, 0.5);
     const full = columnOf(300, sizes);
     /** The difference between a column at half resolution and the full one scaled down. */
     const awayFrom = (half: number[]) => {
@@ -191,7 +191,7 @@ test('lines cut by an axis stay while the light moves; those cut by the light tu
     const { THREE, draw, rendererOf, paperScene, lookFrom, mostDifferent } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.IcosahedronGeometry(1, 20), { layout: 'indexed' });
-    const material = new HatchingMaterial({ technique: 'engraved', sizedOnScreen: 1 });
+    const material = new HatchingMaterial({ technique: 'engraved', screenSpaceShare: 1 });
     const sun = new THREE.DirectionalLight(0xffffff, 1e-3);
     const scene = paperScene(new THREE.Mesh(geometry, material), sun, new THREE.AmbientLight(0xffffff, 0.6 * Math.PI));
     const changeWith = (lineField: 'light' | 'x') => {
@@ -222,7 +222,7 @@ test('the triangulation does not show: a flat sheet of 2 and of 5,000 triangles 
       const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2, parts, parts), {
         layout: 'indexed',
       });
-      const material = new HatchingMaterial({ technique: 'engraved', sizedOnScreen: 1 });
+      const material = new HatchingMaterial({ technique: 'engraved', screenSpaceShare: 1 });
       pictures.push(draw(paperScene(light, new THREE.Mesh(geometry, material)), lookFrom(1, 1, 3), rendererOf(300)));
     }
     return pictures[0].filter((one, i) => Math.abs(one - pictures[1][i]) > 0.1).length;
@@ -235,7 +235,7 @@ test('a scene that is engraved needs no map, and keeps its indices', async ({ pa
     const { THREE, draw, rendererOf, paperScene, lookFrom, total } = window.lining;
     const { applyHatching } = window.toolkit;
     const mesh = new THREE.Mesh(new THREE.TorusGeometry(0.8, 0.3, 24, 48), new THREE.MeshLambertMaterial());
-    await applyHatching(mesh, { material: { technique: 'engraved', sizedOnScreen: 1 } });
+    await applyHatching(mesh, { material: { technique: 'engraved', screenSpaceShare: 1 } });
     const light = new THREE.DirectionalLight(0xffffff, 2);
     const ink = total(draw(paperScene(light, mesh), lookFrom(1, 2, 4), rendererOf(300)));
     return {
@@ -265,7 +265,7 @@ test('lines hold fast to a mesh that bends: engraving moves with the surface', a
       ),
     );
     const geometry = await prepareHatchingGeometry(source, { layout: 'indexed' });
-    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', handmade: 0, crossFrom: 1 });
+    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', irregularity: 0, crossFrom: 1 });
     const mesh = new THREE.SkinnedMesh(geometry, material);
     const bone = new THREE.Bone();
     mesh.add(bone);
@@ -291,9 +291,9 @@ test('around a near lamp lines are cut by spheres: on a floor they are circles a
     const { HatchingMaterial } = window.toolkit;
     const material = new HatchingMaterial({
       technique: 'engraved',
-      handmade: 0,
+      irregularity: 0,
       crossFrom: 1,
-      sizedOnScreen: 1,
+      screenSpaceShare: 1,
       lineSpacing: 12,
     });
     // Two triangles: the rings must not come from vertices.
@@ -332,7 +332,7 @@ test('lines run on from mesh to mesh of a scene, whatever the parts are scaled, 
     light.position.set(1, 2, 2);
     const draws = async (scene: InstanceType<typeof THREE.Object3D>, clones = false) => {
       const hatched = await applyHatching(scene, {
-        material: { technique: 'engraved', sizedOnScreen: 0.5, lineSpacing: 20 },
+        material: { technique: 'engraved', screenSpaceShare: 0.5, lineSpacing: 20 },
         tilesPerWorldUnit: 3,
       });
       const drawn = clones ? scene.clone() : scene;
@@ -371,7 +371,7 @@ test('a face that lies in a cutting plane has lines all the same: other families
   const means = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial } = window.toolkit;
-    const material = new HatchingMaterial({ technique: 'engraved', handmade: 0, lineField: 'z' });
+    const material = new HatchingMaterial({ technique: 'engraved', irregularity: 0, lineField: 'z' });
     const mesh = new THREE.Mesh(new THREE.PlaneGeometry(4, 4), material);
     const camera = new THREE.OrthographicCamera(-0.6, 0.6, 0.6, -0.6, 0.1, 10);
     camera.position.z = 2;
@@ -379,8 +379,8 @@ test('a face that lies in a cutting plane has lines all the same: other families
     return [0, 0.12, 0.3].map((turn) => {
       mesh.rotation.x = turn;
       mesh.updateMatrixWorld();
-      return [0, 1].map((sizedOnScreen) => {
-        material.sizedOnScreen = sizedOnScreen;
+      return [0, 1].map((screenSpaceShare) => {
+        material.screenSpaceShare = screenSpaceShare;
         const ink = draw(paperScene(mesh, light), camera, rendererOf(300));
         const mean = ink.reduce((sum, one) => sum + one, 0) / ink.length;
         return { mean, deviation: Math.sqrt(ink.reduce((sum, one) => sum + (one - mean) ** 2, 0) / ink.length) };

@@ -24,26 +24,30 @@ const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
 /** The input of the darkness of engraved lines. */
 export type EngravedScene = Pick<HatchingSpec, 'lights' | 'matrixWorld' | 'camera' | 'width' | 'height'> & {
   lines: NonNullable<HatchingSpec['lines']>;
-  material: Pick<HatchingSpec['material'], 'strokeRotation' | 'tilesPerUnit' | 'shadowStrokes'>;
-  sizedOnScreen: number;
+  material: Pick<HatchingSpec['material'], 'strokeAngle' | 'tilesPerObjectUnit' | 'shadowStrokes'>;
+  screenSpaceShare: number;
   /** The centre of the bounding sphere, object space. */
   centre: Vec3;
 };
 
 /** The darkness of engraved lines, by the functions that draw them in vector files. Light and tone are those of the reference. */
 export function engravedDarkness(scene: EngravedScene, reference: HatchingReference): DarknessOf {
-  const { lines, lights, matrixWorld, camera, material, sizedOnScreen, centre } = scene;
-  const { lineField, form, medium = 'ink', lineSpacing, strokeLength, crossFrom, crossAngle, handmade } = lines;
-  const { tilesPerUnit, strokeRotation, shadowStrokes } = material;
+  const { lines, lights, matrixWorld, camera, material, screenSpaceShare, centre } = scene;
+  const { lineField, form, medium = 'ink', lineSpacing, strokeLength, crossFrom, crossAngle, irregularity } = lines;
+  const { tilesPerObjectUnit, strokeAngle, shadowStrokes } = material;
   const world = mat4.invert(mat4.create(), camera.view as unknown as mat4)!;
   const projection = new Projection({ ...camera, world, near: 0 }, scene.width, scene.height);
   const toObject = mat4.invert(mat4.create(), matrixWorld as unknown as mat4)!;
   const back = mat4.multiply(mat4.create(), toObject, world);
-  const row = (i: number): Vec3 => [tilesPerUnit * back[i], tilesPerUnit * back[4 + i], tilesPerUnit * back[8 + i]];
+  const row = (i: number): Vec3 => [
+    tilesPerObjectUnit * back[i],
+    tilesPerObjectUnit * back[4 + i],
+    tilesPerObjectUnit * back[8 + i],
+  ];
   const viewToField: Mat3 = [row(0), row(1), row(2)];
   const look: Omit<EngravedLook, 'lineField'> = {
-    ...{ medium, strokeLength, crossFrom, crossAngle, handmade },
-    spacing: { lineSpacing, finestSpacing: 3, sizedOnScreen },
+    ...{ medium, strokeLength, crossFrom, crossAngle, irregularity },
+    spacing: { lineSpacing, minLineSpacing: 3, screenSpaceShare },
     crossesInShadows: shadowStrokes === 'cross',
   };
 
@@ -54,7 +58,7 @@ export function engravedDarkness(scene: EngravedScene, reference: HatchingRefere
         const isFar = type === 'directional';
         const inObject = (p: List3) => vec3.transformMat4([0, 0, 0], p, toObject) as List3;
         const way = combined(1, inObject(position!), -1, isFar ? inObject(target) : centre);
-        return [{ toLight: combined(tilesPerUnit, way, 0, way), luminance: dot(color, LUMINANCE), isFar }];
+        return [{ toLight: combined(tilesPerObjectUnit, way, 0, way), luminance: dot(color, LUMINANCE), isFar }];
       }),
     );
 
@@ -71,7 +75,7 @@ export function engravedDarkness(scene: EngravedScene, reference: HatchingRefere
       engraver = new Engraver({ ...look, lineField: isAcross ? 'acrossForm' : 'form' }, null, viewToField, projection);
     } else {
       const light = isDark ? { axis: across(lightFrom(lights).axis), bend: 0 } : lightFrom(arriving);
-      const field = firstField(lineField as CutField, light, strokeRotation);
+      const field = firstField(lineField as CutField, light, strokeAngle);
       engraver = new Engraver({ ...look, lineField }, field, viewToField, projection);
     }
     engravers.set(key, engraver);
@@ -84,7 +88,7 @@ export function engravedDarkness(scene: EngravedScene, reference: HatchingRefere
     const tone = reference.tone(inWorld, [...toneNormal], true, isPlane);
     const unshadowed = shadowStrokes === 'cross' ? reference.tone(inWorld, [...toneNormal], false, isPlane) : tone;
     if (tone >= 1) return 1;
-    const field = combined(tilesPerUnit, at, -tilesPerUnit, centre);
+    const field = combined(tilesPerObjectUnit, at, -tilesPerObjectUnit, centre);
     const [first, crossing] = (form ?? []).map((quadratic) =>
       formVarying(quadraticGradient(quadratic, [...field]), quadraticAt(quadratic, [...field]), field),
     );
@@ -122,7 +126,7 @@ function familyDarkness({ tone, octave, perPixel, widths, strokes }: FamilyMeasu
   const spaced = isCut ? strokes.cutOctave : octave;
   const spacing = powerOf2(spaced);
   const cut = isCut && cutFor(tone, strokes.along, strokes.repeat, spaced);
-  const pen = strokes?.medium === 'pen' && penFor(tone, strokes.along, strokes.handmade, strokes.repeat, spaced);
+  const pen = strokes?.medium === 'pen' && penFor(tone, strokes.along, strokes.irregularity, strokes.repeat, spaced);
   const top = Math.ceil(spaced);
   const step = 2 ** (top - 1);
   let covered = 0;

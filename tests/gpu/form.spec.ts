@@ -27,9 +27,9 @@ test('the mean darkness is the tone, at every distance between octaves and far a
     };
     const errors: number[] = [];
     for (const look of [
-      { lineField: 'form', handmade: 0, crossFrom: 1 },
-      { lineField: 'acrossForm', handmade: 0, crossFrom: 1 },
-      { lineField: 'form', handmade: 0.4, crossFrom: 0.3 },
+      { lineField: 'form', irregularity: 0, crossFrom: 1 },
+      { lineField: 'acrossForm', irregularity: 0, crossFrom: 1 },
+      { lineField: 'form', irregularity: 0.4, crossFrom: 0.3 },
     ] as const) {
       Object.assign(material, look);
       for (const quarter of [0, 1, 2, 3, -5, -8]) {
@@ -67,7 +67,7 @@ test('seams are invisible, in lines of any octave and in their variation by the 
         }
       }
     }
-    const look = { technique: 'engraved', handmade: 0.7, crossFrom: 0.2, shadowStrokes: 'cross' } as const;
+    const look = { technique: 'engraved', irregularity: 0.7, crossFrom: 0.2, shadowStrokes: 'cross' } as const;
     const material = new HatchingMaterial({ ...look, lineField: 'form', toneCurve: 'linear', reflectedLight: 0 });
     const light = new THREE.DirectionalLight(0xffffff, 0.8 * Math.PI);
     light.position.set(0.5, 1, 2);
@@ -114,7 +114,7 @@ test('lines stay where they are on a skin that bends, and between them it stays 
     );
     const geometry = await prepareHatchingGeometry(source, { form: true });
     // The greatest spacing of lines.
-    const look = { technique: 'engraved', lineField: 'form', handmade: 0, crossFrom: 1, lineSpacing: 999 } as const;
+    const look = { technique: 'engraved', lineField: 'form', irregularity: 0, crossFrom: 1, lineSpacing: 999 } as const;
     const material = new HatchingMaterial({ ...look, toneCurve: 'linear', reflectedLight: 0 });
     const mesh = new THREE.SkinnedMesh(geometry, material);
     const [lower, bent] = [new THREE.Bone(), new THREE.Bone()];
@@ -246,7 +246,7 @@ test('a large mesh follows the light first, then changes over to the form withou
     };
     const during: ReturnType<typeof drawn>[] = [];
     const hatched = await applyHatching(mesh, {
-      material: { technique: 'engraved', lineField: 'form', handmade: 0, toneCurve: 'linear', reflectedLight: 0 },
+      material: { technique: 'engraved', lineField: 'form', irregularity: 0, toneCurve: 'linear', reflectedLight: 0 },
       renderer,
       camera,
       invalidate: () => during.push({ ...drawn(), programs: programs() }),
@@ -274,7 +274,7 @@ test('lines cross at a new angle of the material, and at the former one until th
     const camera = lookFrom(0, 1.5, 4);
     const hatchedRing = async (crossAngle: number) => {
       const mesh = new THREE.Mesh(new THREE.TorusGeometry(1, 0.45, 24, 48), new THREE.MeshLambertMaterial());
-      const material = { technique: 'engraved', lineField: 'form', handmade: 0, crossFrom: 0, crossAngle } as const;
+      const material = { technique: 'engraved', lineField: 'form', irregularity: 0, crossFrom: 0, crossAngle } as const;
       const hatched = await applyHatching(mesh, { material });
       return { hatched, scene: paperScene(mesh, new THREE.AmbientLight(0xffffff, 0.4 * Math.PI)) };
     };

@@ -81,10 +81,10 @@ test('a shadow that dissolves has the tone that is left of it with all media', a
       const found: Record<string, number[]> = {};
       for (const [technique, medium] of media) {
         const look = { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5, shadowDirection: 'away', medium } as const;
-        const lines = { lineSpacing: 4, strokeLength: 30, handmade: 0.4 };
+        const lines = { lineSpacing: 4, strokeLength: 30, irregularity: 0.4 };
         const plane = await ground(technique, {
           ...look,
-          ...(technique === 'engraved' ? lines : { sizedOnScreen: 1 }),
+          ...(technique === 'engraved' ? lines : { screenSpaceShare: 1 }),
         });
         await plane.material.ready;
         const scene = sceneOf(plane, plate(height), light);
@@ -126,8 +126,8 @@ test('lines of a woodcut end in points at the soft edge of a shadow, without iso
       shadowSoftness: 0.3,
       lineSpacing: 6,
       strokeLength: 60,
-      handmade: 0.6,
-      sizedOnScreen: 1,
+      irregularity: 0.6,
+      screenSpaceShare: 1,
     });
     const pixels = draw(sceneOf(plane, plate(0.5), light));
     const isInk = (i: number): boolean => pixels[4 * i] < 190;
@@ -243,7 +243,7 @@ for (const technique of ['anchored', 'engraved'] as const) {
           shadowTone: 0.4,
           shadowStrokes: 'cross',
           crossFrom: 0.1,
-          ...(technique === 'engraved' ? { lineField: 'x' } : { strokeLayers: 'tone', strokeRotation: 0.6 }),
+          ...(technique === 'engraved' ? { lineField: 'x' } : { strokeLayers: 'tone', strokeAngle: 0.6 }),
         });
         const scene = sceneOf(plane, ball(), light);
         return (['away', 'strokes'] as const).map((shadowDirection) => {

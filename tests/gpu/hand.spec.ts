@@ -52,7 +52,7 @@ async function film(page: Page, drawing: object): Promise<{ worst: number; poppi
       const mesh = await hatchedMesh(new THREE.SphereGeometry(1.2, 48, 32), {
         technique: 'anchored',
         tonalArtMap,
-        tilesPerUnit: 1.5,
+        tilesPerObjectUnit: 1.5,
       });
       const renderer = makeRenderer();
       renderer.setSize(side, side, false);

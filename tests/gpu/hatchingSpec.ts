@@ -13,7 +13,7 @@ export interface LineSettings {
   strokeLength: number;
   crossFrom: number;
   crossAngle: number;
-  handmade: number;
+  irregularity: number;
   /** Default: 'ink'. */
   medium?: 'ink' | 'pen' | 'woodcut';
 }
@@ -34,10 +34,10 @@ export interface HatchingSpec {
   material: Omit<ReferenceMaterial, 'ink' | 'paper' | 'color'> & { ink: number[]; paper: number[]; color: number[] };
   map: AnalyticMapName;
   /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
-  anchorSpacing?: number;
+  latticeSpacing?: number;
   /** The field of strokes, if not that of the light: for the form, the baked functions. */
   strokes?: { strokeField: StrokeField; form?: readonly [first: Quadratic, crossing: Quadratic] };
-  sizedOnScreen?: number;
+  screenSpaceShare?: number;
   /** For the medium `stipple` of the technique `anchored`: the dots. */
   dots?: { strokeWidth: number; edgePixels: number };
   /** For the technique `engraved`, which draws the mesh unprepared too. */

@@ -14,17 +14,17 @@ const smooth = (from: number, to: number, x: number): number => {
 
 for (const technique of techniques) {
   test(
-    `tone is brought to the darkest as far as occlusion and hollowTone say: ${technique}`,
+    `tone is brought to the darkest as far as occlusion and hollowStrength say: ${technique}`,
     quickIf(technique === 'adjacency' || technique === 'engraved'),
     async ({ page }) => {
       const occlusions = [0, 0.08, 0.2, 0.35, 0.5, 0.9];
       const cases = [
-        { hollowTone: 0, occlusion: 1, toneCurve: 'linear' },
-        { hollowTone: 1, occlusion: 1, toneCurve: 'linear' },
-        { hollowTone: 0.6, occlusion: 0.5, toneCurve: 'linear' },
+        { hollowStrength: 0, occlusion: 1, toneCurve: 'linear' },
+        { hollowStrength: 1, occlusion: 1, toneCurve: 'linear' },
+        { hollowStrength: 0.6, occlusion: 0.5, toneCurve: 'linear' },
         // A curve that leaves paper in the deepest shade, and one that draws the lights.
         {
-          hollowTone: 1,
+          hollowStrength: 1,
           occlusion: 1,
           toneCurve: [
             [0, 0],
@@ -32,7 +32,7 @@ for (const technique of techniques) {
           ],
         },
         {
-          hollowTone: 1,
+          hollowStrength: 1,
           occlusion: 1,
           toneCurve: [
             [0, 0.9],
@@ -59,12 +59,12 @@ for (const technique of techniques) {
         },
         [technique, occlusions, cases] as const,
       );
-      for (const [i, { hollowTone, occlusion, toneCurve }] of cases.entries()) {
+      for (const [i, { hollowStrength, occlusion, toneCurve }] of cases.entries()) {
         for (const [j, hidden] of occlusions.entries()) {
           const light = 0.6 * (1 - occlusion * hidden * smooth(0, 0.4, hidden));
           const [start, end] = toneCurve === 'linear' ? [0, 1] : [toneCurve[0][1], toneCurve[1][1]];
           const lit = start + (end - start) * (1 - light);
-          const share = hollowTone * occlusion * smooth(0.1, 0.8, hidden);
+          const share = hollowStrength * occlusion * smooth(0.1, 0.8, hidden);
           const tone = lit + share * ((end > start ? 1 : 0) - lit);
           expect(seen[i][j], `${JSON.stringify(cases[i])} at ${hidden}`).toBeCloseTo(1 - tone, 2);
         }

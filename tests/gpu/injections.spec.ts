@@ -152,7 +152,7 @@ for (const technique of TECHNIQUES) {
               reflectedLight: 0,
               exposure: 1,
               medium: 'ink',
-              handmade: 0,
+              irregularity: 0,
             },
             ...{ colorFill: 1, lineField: 'y', strokeLayers: 'single', toneMapped: false },
           });

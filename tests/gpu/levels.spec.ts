@@ -10,7 +10,7 @@ import { test } from './toolkitPage.js';
 type Way = Partial<
   Pick<
     HatchingMaterialOptions,
-    'technique' | 'crisp' | 'levelRule' | 'sizedOnScreen' | 'edgePixels' | 'strokeRotation' | 'strokeWidth'
+    'technique' | 'crisp' | 'levelRule' | 'screenSpaceShare' | 'edgePixels' | 'strokeAngle' | 'strokeWidth'
   >
 >;
 
@@ -24,8 +24,8 @@ const ways: Record<string, Way> = {
   'adjacency, level by depth': { technique: 'adjacency', levelRule: 'depth' },
   'crisp, level by derivatives': { technique: 'triangle', crisp: true, levelRule: 'derivatives' },
   'crisp, level by depth': { technique: 'triangle', crisp: true, levelRule: 'depth' },
-  'anchored, sized on the object': { technique: 'anchored', sizedOnScreen: 0 },
-  'anchored, sized on the screen': { technique: 'anchored', sizedOnScreen: 1 },
+  'anchored, sized on the object': { technique: 'anchored', screenSpaceShare: 0 },
+  'anchored, sized on the screen': { technique: 'anchored', screenSpaceShare: 1 },
 };
 
 for (const [name, parameters] of Object.entries(ways)) {
@@ -85,12 +85,12 @@ test('seen at a slant, depth chooses a finer level than derivatives, and so does
   expect(anisotropic! / derivatives).toBeLessThan(0.75);
 });
 
-for (const sizedOnScreen of [0, 1]) {
+for (const screenSpaceShare of [0, 1]) {
   test(
-    `anchored strokes stay strokes at a slant, of the same tone: sizedOnScreen ${sizedOnScreen}`,
-    quickIf(sizedOnScreen === 0),
+    `anchored strokes stay strokes at a slant, of the same tone: screenSpaceShare ${screenSpaceShare}`,
+    quickIf(screenSpaceShare === 0),
     async ({ page }) => {
-      const way: Way = { technique: 'anchored', sizedOnScreen, ...upright };
+      const way: Way = { technique: 'anchored', screenSpaceShare, ...upright };
       const [faceOn, slanted] = [await drawWall(page, way, [1]), await drawWall(page, way, [1], { slant: 1.47 })].map(
         ([picture]) => spread(picture),
       );
@@ -116,7 +116,7 @@ test('where strokes crowd at a slant their tone is shown, not some of them: cris
 });
 
 /** Strokes that stand upright on the wall. */
-const upright = { strokeRotation: Math.PI / 2 } satisfies Way;
+const upright = { strokeAngle: Math.PI / 2 } satisfies Way;
 
 /** The mean of red in [0, 1] in the middle of the picture, which a wall covers at any slant. */
 function spread(red: number[]): { mean: number; deviation: number } {
@@ -145,7 +145,7 @@ async function drawWall(
       const mesh = await hatchedMesh(new THREE.PlaneGeometry(40, 8), {
         ...parameters,
         tonalArtMap,
-        tilesPerUnit: 1 / (256 * unitsPerPixel),
+        tilesPerObjectUnit: 1 / (256 * unitsPerPixel),
       });
       mesh.rotation.y = slant;
       // N·L = 5/7: exactly the third of eight hatch images. Turned with the wall.

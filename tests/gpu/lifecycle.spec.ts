@@ -10,8 +10,8 @@ test('clone and copy draw the same picture', async ({ page }) => {
     const renderer = makeRenderer();
     const mesh = await hatchedMesh(new THREE.TorusGeometry(0.6, 0.3, 12, 24), {
       tonalArtMap: stripedMap(),
-      tilesPerUnit: 2,
-      strokeRotation: 0.3,
+      tilesPerObjectUnit: 2,
+      strokeAngle: 0.3,
       technique: 'triangle',
       ink: 'darkred',
     });
@@ -109,8 +109,8 @@ test('a slider does not recompile, and a frame allocates no textures or geometri
       };
     }
     for (let i = 0; i < 5; i++) {
-      mesh.material.tilesPerUnit = 2 + i;
-      mesh.material.strokeRotation = i;
+      mesh.material.tilesPerObjectUnit = 2 + i;
+      mesh.material.strokeAngle = i;
       mesh.material.strokeOffset.x = i / 5;
       mesh.material.ink.setRGB(i / 5, 0, 0);
       mesh.material.toneSteps = 2 + i;
@@ -138,8 +138,8 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
       const renderer = makeRenderer();
       const tonalArtMap = stripedMap();
-      const common = { tonalArtMap, technique, tilesPerUnit: 2, toneNormal: 'smooth' } as const;
-      const changed = { tilesPerUnit: 1.3, strokeRotation: 0.7 };
+      const common = { tonalArtMap, technique, tilesPerObjectUnit: 2, toneNormal: 'smooth' } as const;
+      const changed = { tilesPerObjectUnit: 1.3, strokeAngle: 0.7 };
       const offset = new THREE.Vector2(0.1, 0.3);
       const sphere = () => new THREE.SphereGeometry(0.6, 24, 16);
       const left = await hatchedMesh(sphere(), common);
@@ -148,8 +148,8 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
       right.position.x = 0.7;
       const scene = sceneOf(left, right, sun());
       const before = pixelsOf(scene, renderer);
-      right.material.tilesPerUnit = changed.tilesPerUnit;
-      right.material.strokeRotation = changed.strokeRotation;
+      right.material.tilesPerObjectUnit = changed.tilesPerObjectUnit;
+      right.material.strokeAngle = changed.strokeAngle;
       right.material.strokeOffset.copy(offset);
       const after = pixelsOf(scene, renderer);
       right.material = new window.toolkit.HatchingMaterial({ ...common, ...changed });
@@ -189,7 +189,7 @@ test('anchored draws a geometry that was never prepared, by its own normals', as
       tonalArtMap: stripedMap(),
       technique: 'anchored',
       edgePixels: 0,
-      tilesPerUnit: 2,
+      tilesPerObjectUnit: 2,
     });
     const pixels = pixelsOf(sceneOf(new THREE.Mesh(new THREE.SphereGeometry(1, 32, 24), material), sun()));
     let inked = 0;
@@ -262,7 +262,11 @@ test('degenerate, tiny, huge and far meshes give no NaN and no error', async ({ 
     const results: number[][] = [];
     for (const scale of [1e-6, 1e-3, 1e3, 1e6]) {
       const geometry = new THREE.SphereGeometry(1, 16, 12).scale(scale, scale, scale);
-      const mesh = await hatchedMesh(geometry, { tonalArtMap: stripedMap(), tilesPerUnit: 2 / scale, ink: 'blue' });
+      const mesh = await hatchedMesh(geometry, {
+        tonalArtMap: stripedMap(),
+        tilesPerObjectUnit: 2 / scale,
+        ink: 'blue',
+      });
       mesh.scale.setScalar(1 / scale);
       const pixels = pixelsOf(sceneOf(mesh, sun()));
       const seen = new Set<string>();

@@ -155,11 +155,17 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
             const { THREE, TonalArtMap, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
             const tonalArtMap = await TonalArtMap.generate({ size: 128 });
             const renderer = makeRenderer();
-            const tilesPerUnit = 0.6;
+            const tilesPerObjectUnit = 0.6;
             // The same place in the world, which is another on the object, with other anchors.
             const wallAt = async (depth: number, strokeLayers: 'single' | 'lights') => {
               const geometry = new THREE.PlaneGeometry(4, 4).translate(0, 0, depth);
-              const wall = await hatchedMesh(geometry, { tonalArtMap, technique, crisp, strokeLayers, tilesPerUnit });
+              const wall = await hatchedMesh(geometry, {
+                tonalArtMap,
+                technique,
+                crisp,
+                strokeLayers,
+                tilesPerObjectUnit,
+              });
               wall.position.z = -depth;
               return wall;
             };
@@ -221,7 +227,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
               tonalArtMap,
               technique,
               crisp,
-              tilesPerUnit: 2,
+              tilesPerObjectUnit: 2,
             });
             const renderer = makeRenderer();
             const scene = sceneOf(wall, light);
@@ -281,7 +287,7 @@ for (const technique of ['adjacency', 'anchored'] as const) {
                     tonalArtMap,
                     technique,
                     ...(technique === 'adjacency' && { crisp: true }),
-                    tilesPerUnit: 0.5,
+                    tilesPerObjectUnit: 0.5,
                     edgePixels: 3,
                     strokeLayers: 'tone',
                     crossFrom,

@@ -41,8 +41,8 @@ for (const technique of techniques) {
         const scene = sceneOf(mesh, sun(light * Math.PI, [0, 0, 1]));
         const shown = [];
         for (const dark of [squares.middle, squares.dark]) {
-          for (const localTone of [0, 0.7, 1]) {
-            Object.assign(mesh.material, { localTone, map: board(dark) });
+          for (const colorHatching of [0, 0.7, 1]) {
+            Object.assign(mesh.material, { colorHatching, map: board(dark) });
             shown.push(pixelsOf(scene, renderer));
           }
         }
@@ -71,7 +71,7 @@ test('colours of the material, its map and its vertices multiply, and emitted li
     map.needsUpdate = true;
     const color = new THREE.Color(0.5, 0.5, 0.5);
     const emissive = new THREE.Color(0.1, 0.1, 0.1);
-    const parameters = { localTone: 1, debugView: 'tone', vertexColors: true, map, color, emissive } as const;
+    const parameters = { colorHatching: 1, debugView: 'tone', vertexColors: true, map, color, emissive } as const;
     return pixelsOf(sceneOf(await hatchedMesh(geometry, parameters), sun(Math.PI / 2, [0, 0, 1])));
   });
   const luminance = 0.8 * 0.5 * (128 / 255);

@@ -77,7 +77,7 @@ test('meshes that share a material are drawn as with one for each, whatever is d
     for (const scene of [shared, apart])
       scene.traverse((object) => {
         if (!(object instanceof THREE.Mesh) || !('preset' in object.material)) return;
-        object.material.tilesPerUnit = 1.7;
+        object.material.tilesPerObjectUnit = 1.7;
       });
     rounds.push({ shared: pixelsOf(shared, renderer), apart: pixelsOf(apart, renderer) });
     return rounds;
@@ -106,7 +106,7 @@ test('fifty materials of three presets, their clones among them, are drawn by th
           ? firsts[i % 3].clone()
           : new UsersMaterial({ preset: (['pen', 'engraving', 'pencil'] as const)[i % 3], exposure: 1, tonalArtMap });
       material.setValues({ ink: new THREE.Color().setHSL(i / 50, 1, 0.3), opacity: 1 });
-      material.highlightTone = 0.01 * (i % 7);
+      material.highlightThreshold = 0.01 * (i % 7);
       material.crossAngle = 1 + 0.01 * i;
       return material;
     });

@@ -157,7 +157,7 @@ const cases: Case[] = [
       mesh: loadBunny,
       matrixWorld: placed,
       map: 'constantPerLevel' as const,
-      material: { technique, levelRule: 'depth', tilesPerUnit: 0.6 } as const,
+      material: { technique, levelRule: 'depth', tilesPerObjectUnit: 0.6 } as const,
     },
   ]),
   {
@@ -165,16 +165,16 @@ const cases: Case[] = [
     mesh: torus,
     orthographic: true,
     map: 'constantPerLevel',
-    material: { levelRule: 'depth', tilesPerUnit: 0.9 },
+    material: { levelRule: 'depth', tilesPerObjectUnit: 0.9 },
   },
-  ...[0, Math.PI / 2, 2.4].map((strokeRotation, i) => ({
-    name: `strokes turned by ${strokeRotation.toFixed(1)}, scaled and shifted`,
+  ...[0, Math.PI / 2, 2.4].map((strokeAngle, i) => ({
+    name: `strokes turned by ${strokeAngle.toFixed(1)}, scaled and shifted`,
     mesh: torus,
     lights: [i % 2 ? point : directional],
     material: {
       technique: i % 2 ? ('triangle' as const) : ('adjacency' as const),
-      strokeRotation,
-      tilesPerUnit: 0.8 + i,
+      strokeAngle,
+      tilesPerObjectUnit: 0.8 + i,
       strokeOffset: [0.7 * i, -0.2] as [number, number],
     },
   })),
@@ -214,12 +214,12 @@ const cases: Case[] = [
   ...(['triangle', 'adjacency'] as const).map((technique) => ({
     name: `local tone without a fill, ${technique}`,
     mesh: torus,
-    material: { technique, color: [0.5, 0.1, 0.2] as Vec3, localTone: 1, colorFill: 0 },
+    material: { technique, color: [0.5, 0.1, 0.2] as Vec3, colorHatching: 1, colorFill: 0 },
   })),
   {
     name: 'some local tone of a colour nearly black, on a tint of it',
     mesh: torus,
-    material: { color: [0.01, 0.004, 0.006], localTone: 0.7, colorFill: 0.4, toneCurve: 'perceptual' },
+    material: { color: [0.01, 0.004, 0.006], colorHatching: 0.7, colorFill: 0.4, toneCurve: 'perceptual' },
     lights: [point, ambient],
   },
 ];
@@ -336,7 +336,7 @@ for (const one of cases) {
 }
 
 // Fine enough that the coarsest level of the map serves everywhere.
-const fine = { crisp: true, tilesPerUnit: 3 };
+const fine = { crisp: true, tilesPerObjectUnit: 3 };
 
 const crispCases: Case[] = (['triangle', 'adjacency'] as const).flatMap((technique) => [
   { name: `one layer, ${technique}`, mesh: torus, material: { ...fine, technique } },

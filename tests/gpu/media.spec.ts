@@ -5,12 +5,12 @@ import { test } from './toolkitPage.js';
 /** Dry media: pencil, charcoal, chalk. A wall that fills the picture, in tones that the light makes. */
 
 const MEDIA = [
-  { tooth: 0.4, toothSize: 1.6, softness: 0.9, smudge: 0.2 },
-  { tooth: 0.6, toothSize: 3.7, softness: 0.3, smudge: 0.5 },
-  { tooth: 1, toothSize: 2.5, softness: 0, smudge: 0 },
-  { tooth: 0.6, toothSize: 10, softness: 0.5, smudge: 0.2 },
-  { tooth: 0, toothSize: 2.5, softness: 0.5, smudge: 0 },
-  { tooth: 0.5, toothSize: 2.5, softness: 1, smudge: 1 },
+  { paperGrain: 0.4, paperGrainSize: 1.6, softness: 0.9, smudge: 0.2 },
+  { paperGrain: 0.6, paperGrainSize: 3.7, softness: 0.3, smudge: 0.5 },
+  { paperGrain: 1, paperGrainSize: 2.5, softness: 0, smudge: 0 },
+  { paperGrain: 0.6, paperGrainSize: 10, softness: 0.5, smudge: 0.2 },
+  { paperGrain: 0, paperGrainSize: 2.5, softness: 0.5, smudge: 0 },
+  { paperGrain: 0.5, paperGrainSize: 2.5, softness: 1, smudge: 1 },
 ];
 
 test('the mean ink of a dry medium is the tone, and mostly grey at middle tones', async ({ page }, testInfo) => {
@@ -22,7 +22,7 @@ test('the mean ink of a dry medium is the tone, and mostly grey at middle tones'
       technique: 'anchored',
       tonalArtMap,
       medium: 'dry',
-      tilesPerUnit: 2,
+      tilesPerObjectUnit: 2,
     });
     const light = sun();
     const scene = sceneOf(mesh, light);
@@ -92,8 +92,8 @@ test('the tooth stays with the sheet, the strokes with the model; tiles of a pic
     };
     const differing = (a: Uint8Array, b: Uint8Array): number =>
       a.reduce((sum, value, i) => sum + Number(Math.abs(value - b[i]) > 3), 0) / (0.75 * a.length);
-    const from = (x: number, z: number, tooth: number): Uint8Array => {
-      mesh.material.tooth = tooth;
+    const from = (x: number, z: number, paperGrain: number): Uint8Array => {
+      mesh.material.paperGrain = paperGrain;
       camera.position.set(x, 0, z);
       return drawn(side, side);
     };
@@ -150,14 +150,14 @@ test('grain runs along the strokes, and a flat wall has no marbling', { tag: '@a
       const measured: { name: string; turned: number; coherence: number; blotches: number }[] = [];
       for (const { name, degrees, style, ...look } of looks) {
         const tonalArtMap = await TonalArtMap.generate({ style });
-        const parameters = { ...look, tonalArtMap, strokeRotation: (degrees * Math.PI) / 180 };
+        const parameters = { ...look, tonalArtMap, strokeAngle: (degrees * Math.PI) / 180 };
         const mesh = await hatchedMesh(new THREE.PlaneGeometry(8, 8), {
           ...parameters,
           technique: 'anchored',
           medium: 'dry',
           strokeField: 'sheet',
-          sizedOnScreen: 1,
-          anchorSpacing: 0.5,
+          screenSpaceShare: 1,
+          latticeSpacing: 0.5,
         });
         const scene = sceneOf(mesh, light);
         for (const tone of [0.3, 0.5, 0.7]) {
@@ -192,8 +192,8 @@ test('grain runs along the strokes, and a flat wall has no marbling', { tag: '@a
       return measured;
     },
     (['pencil', 'charcoal', 'chalk'] as const).flatMap((name) => {
-      const { strokeWidth, tooth, toothSize, softness, smudge, tonalArtMap: style } = PRESET_MATERIALS[name];
-      const sizes = { strokeWidth, tooth, toothSize, softness, smudge, style };
+      const { strokeWidth, paperGrain, paperGrainSize, softness, smudge, tonalArtMap: style } = PRESET_MATERIALS[name];
+      const sizes = { strokeWidth, paperGrain, paperGrainSize, softness, smudge, style };
       return [25, 60].map((degrees) => ({ name: `${name} ${degrees}°`, degrees, ...sizes }));
     }),
   );

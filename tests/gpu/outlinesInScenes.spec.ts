@@ -33,7 +33,7 @@ test('logarithmic and reversed depth draw the same outlines', { tag: '@all' }, a
 test('tiles of a picture fit together', { tag: '@all' }, async ({ page }) => {
   const difference = await page.evaluate(async () => {
     const { THREE, outlinedMesh, paperScene, lookFrom, draw, rendererOf } = window.lining;
-    const parameters = { wobble: 1.5, outlineWidth: 3, tooth: 0.6 };
+    const parameters = { wobble: 1.5, outlineWidth: 3, paperGrain: 0.6 };
     const scene = paperScene(await outlinedMesh(new THREE.TorusKnotGeometry(0.7, 0.25, 160, 24), parameters));
     const camera = lookFrom(1, 2, 4);
     const whole = draw(scene, camera, rendererOf(400));
@@ -332,8 +332,8 @@ test('a dry outline catches on the tooth and is soft at its sides; the tooth sta
     const mesh = await outlinedMesh(new THREE.PlaneGeometry(4, 1), { outlineWidth: 24 });
     const scene = paperScene(mesh);
     const { material } = outlinesOf(mesh);
-    const inkOf = (tooth: number) => {
-      material.setValues({ tooth });
+    const inkOf = (paperGrain: number) => {
+      material.setValues({ paperGrain });
       return draw(scene, lookFrom(0, 0, 4));
     };
     const [plain, dry] = [inkOf(0), inkOf(0.6)];
@@ -341,7 +341,7 @@ test('a dry outline catches on the tooth and is soft at its sides; the tooth sta
     mesh.position.x = 0.1;
     const dryMoved = inkOf(0.6);
     mesh.position.x = 0;
-    material.toothSize *= 1.5;
+    material.paperGrainSize *= 1.5;
     const dryOther = inkOf(0.6);
     const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
     const places = [...plain.keys()].filter((i) => i % 400 > 100 && i % 400 < 300 && plain[i] === 1);

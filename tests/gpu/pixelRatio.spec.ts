@@ -112,37 +112,37 @@ const BLANK = [
 ] as const;
 
 const LOOKS: Record<string, Look> = {
-  strokes: { material: { technique: 'anchored', sizedOnScreen: 1, strokeWidth: 6 } },
-  'strokes sized on the object': { material: { technique: 'anchored', tilesPerUnit: 0.3, strokeWidth: 6 } },
+  strokes: { material: { technique: 'anchored', screenSpaceShare: 1, strokeWidth: 6 } },
+  'strokes sized on the object': { material: { technique: 'anchored', tilesPerObjectUnit: 0.3, strokeWidth: 6 } },
   'crisp strokes of triangles': {
-    material: { technique: 'adjacency', crisp: true, tilesPerUnit: 0.3, strokeWidth: 6 },
+    material: { technique: 'adjacency', crisp: true, tilesPerObjectUnit: 0.3, strokeWidth: 6 },
   },
-  'engraved lines': { material: { technique: 'engraved', sizedOnScreen: 1, lineSpacing: 12, handmade: 0 } },
+  'engraved lines': { material: { technique: 'engraved', screenSpaceShare: 1, lineSpacing: 12, irregularity: 0 } },
   'engraved lines sized half on the screen': {
-    material: { technique: 'engraved', sizedOnScreen: 0.5, lineSpacing: 60, handmade: 0 },
+    material: { technique: 'engraved', screenSpaceShare: 0.5, lineSpacing: 60, irregularity: 0 },
   },
   'strokes of a pen': {
     material: {
       technique: 'engraved',
       medium: 'pen',
-      sizedOnScreen: 1,
+      screenSpaceShare: 1,
       lineSpacing: 12,
       strokeLength: 50,
-      handmade: 0,
+      irregularity: 0,
     },
   },
   'wedges of a woodcut': {
     material: {
       technique: 'engraved',
       medium: 'woodcut',
-      sizedOnScreen: 1,
+      screenSpaceShare: 1,
       lineSpacing: 12,
       strokeLength: 50,
-      handmade: 0,
+      irregularity: 0,
     },
   },
-  dots: { material: { technique: 'anchored', medium: 'stipple', sizedOnScreen: 1, strokeWidth: 8 } },
-  grain: { material: { technique: 'anchored', medium: 'dry', tooth: 1, toothSize: 6, softness: 0.2 } },
+  dots: { material: { technique: 'anchored', medium: 'stipple', screenSpaceShare: 1, strokeWidth: 8 } },
+  grain: { material: { technique: 'anchored', medium: 'dry', paperGrain: 1, paperGrainSize: 6, softness: 0.2 } },
   outlines: {
     material: { technique: 'anchored', toneCurve: BLANK },
     outlines: { outlineWidth: 5, wobble: 6, overshoot: 5, creases: 1, shadeWeights: [1, 1] },

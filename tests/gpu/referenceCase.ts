@@ -21,13 +21,13 @@ export interface ReferenceCase {
   matrixWorld?: number[];
   isOrthographic?: boolean;
   material?: Partial<ReferenceMaterial>;
-  sizedOnScreen?: number;
+  screenSpaceShare?: number;
   importance?: number;
 }
 
 /** The page's input for a case. */
 export function specOf(
-  { mesh = torus, lights, matrixWorld, isOrthographic, material, sizedOnScreen = 1, importance = 1 }: ReferenceCase,
+  { mesh = torus, lights, matrixWorld, isOrthographic, material, screenSpaceShare = 1, importance = 1 }: ReferenceCase,
   technique: 'anchored' | 'engraved',
 ): HatchingSpec {
   return {
@@ -42,7 +42,7 @@ export function specOf(
     lights: lights ?? [directional],
     material: { ...defaults, ...material, technique, toneNormal: 'smooth' },
     map: 'smooth',
-    sizedOnScreen,
+    screenSpaceShare,
     importance,
   };
 }

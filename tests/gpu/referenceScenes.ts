@@ -83,8 +83,8 @@ export const defaults: ReferenceMaterial = {
   toneSteps: 4,
   shininess: 30,
   toneNormal: 'face',
-  tilesPerUnit: 1.7,
-  strokeRotation: 0.4,
+  tilesPerObjectUnit: 1.7,
+  strokeAngle: 0.4,
   strokeOffset: [0.13, 0.37],
   blendAngle: Math.PI / 2,
   toneCurve: 'linear',
@@ -98,6 +98,6 @@ export const defaults: ReferenceMaterial = {
   ink: [0, 0, 0],
   paper: [1, 1, 1],
   color: [1, 1, 1],
-  localTone: 0,
+  colorHatching: 0,
   colorFill: 1,
 };

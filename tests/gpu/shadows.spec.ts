@@ -271,7 +271,7 @@ for (const technique of techniques) {
         const straight = draw(scene);
         if (technique === 'anchored' || technique === 'engraved') {
           light.position.cross(new THREE.Vector3(0, 1, 0));
-        } else plane.material.strokeRotation = Math.PI / 2;
+        } else plane.material.strokeAngle = Math.PI / 2;
         const across = draw(scene);
         const isInside = (i: number) => away[i] < -2.5;
         return {

@@ -114,12 +114,12 @@ function makeLight(light: ReferenceLight, scene: Scene): Light {
 const invisible = new MeshBasicMaterial({ side: DoubleSide, colorWrite: false, depthWrite: false });
 
 /** Gives a geometry what lines that follow the form are drawn from: functions of the place from its centre, in tiles. */
-function setForm(geometry: BufferGeometry, form: NonNullable<LineSettings['form']>, tilesPerUnit: number): void {
+function setForm(geometry: BufferGeometry, form: NonNullable<LineSettings['form']>, tilesPerObjectUnit: number): void {
   geometry.computeBoundingSphere();
   const { position } = geometry.attributes;
   const places = Array.from({ length: position.count }, (_, i) => {
     const place = new Vector3().fromBufferAttribute(position, i).sub(geometry.boundingSphere!.center);
-    return place.multiplyScalar(tilesPerUnit).toArray() as Vec3;
+    return place.multiplyScalar(tilesPerObjectUnit).toArray() as Vec3;
   });
   const set = (name: string, itemSize: number, values: number[]): void => {
     geometry.setAttribute(name, new BufferAttribute(new Float32Array(values), itemSize));
@@ -134,7 +134,7 @@ function setForm(geometry: BufferGeometry, form: NonNullable<LineSettings['form'
     ['formCrossing', form[1]],
   ] as const) {
     const gradients = places.flatMap((place) => [
-      ...quadraticGradient(quadratic, place).map((slope) => slope * tilesPerUnit),
+      ...quadraticGradient(quadratic, place).map((slope) => slope * tilesPerObjectUnit),
       0,
     ]);
     set(name, 4, gradients);
@@ -145,7 +145,7 @@ function setForm(geometry: BufferGeometry, form: NonNullable<LineSettings['form'
 type MadeMaterial = Material &
   Pick<
     HatchingMaterialProperties,
-    'anchorSpacing' | 'color' | 'edgePixels' | 'ink' | 'paper' | 'sizedOnScreen' | 'strokeOffset' | 'strokeRotation'
+    'latticeSpacing' | 'color' | 'edgePixels' | 'ink' | 'paper' | 'screenSpaceShare' | 'strokeOffset' | 'strokeAngle'
   >;
 
 /** A spec as a scene. */
@@ -174,7 +174,7 @@ export async function specScene(
   source.setAttribute('position', new BufferAttribute(new Float32Array(spec.positions), 3));
   if (spec.normals) source.setAttribute('normal', new BufferAttribute(new Float32Array(spec.normals), 3));
   const form = spec.lines?.form ?? spec.strokes?.form;
-  if (form) setForm(source, form, spec.material.tilesPerUnit);
+  if (form) setForm(source, form, spec.material.tilesPerObjectUnit);
   source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
   const { technique } = spec.material;
   const isPerFragment = technique === 'anchored' || technique === 'engraved';
@@ -182,7 +182,7 @@ export async function specScene(
 
   const { form: _form, ...lines } = spec.lines ?? {};
   const takesThresholds = technique === 'anchored' || spec.material.crisp;
-  const { ink, paper, color, strokeOffset, strokeRotation, ...material } = spec.material;
+  const { ink, paper, color, strokeOffset, strokeAngle, ...material } = spec.material;
   const hatching = make(
     plainLook({
       ...material,
@@ -194,11 +194,11 @@ export async function specScene(
   );
   // These properties are set separately, since parameters that the technique does not use would cause a warning.
   hatching.strokeOffset.set(...strokeOffset);
-  hatching.strokeRotation = strokeRotation;
+  hatching.strokeAngle = strokeAngle;
   hatching.edgePixels = 0;
   if (spec.dots) Object.assign(hatching, { ...spec.dots, medium: 'stipple', tonalArtMap: null });
-  hatching.anchorSpacing = spec.anchorSpacing ?? 0.35;
-  hatching.sizedOnScreen = spec.sizedOnScreen ?? 0;
+  hatching.latticeSpacing = spec.latticeSpacing ?? 0.35;
+  hatching.screenSpaceShare = spec.screenSpaceShare ?? 0;
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);
   hatching.paper.setRGB(...(paper as [number, number, number]), LinearSRGBColorSpace);
   hatching.color.setRGB(...(color as [number, number, number]), LinearSRGBColorSpace);

@@ -41,7 +41,7 @@ test.beforeEach(async ({ page }) => {
             technique: 'anchored',
             medium: 'stipple',
             tonalArtMap: null,
-            sizedOnScreen: 1,
+            screenSpaceShare: 1,
           });
           return { mesh, upright: turned.invert() };
         }),
@@ -264,7 +264,7 @@ test('tiles of a larger picture have the dots of the whole; dots follow a bone; 
     const material = new HatchingMaterial({
       technique: 'anchored',
       medium: 'stipple',
-      sizedOnScreen: 1,
+      screenSpaceShare: 1,
       strokeWidth: 6,
     });
     const geometry = new THREE.SphereGeometry(1.2, 48, 32);

@@ -25,9 +25,9 @@ const wrap = (cell: number) => ((cell % STIPPLE_MAP_SIZE) + STIPPLE_MAP_SIZE) % 
 
 /** The input of the darkness of dots. */
 export type StippleScene = Pick<HatchingSpec, 'matrixWorld' | 'camera' | 'width' | 'height'> & {
-  material: Pick<HatchingSpec['material'], 'tilesPerUnit'>;
+  material: Pick<HatchingSpec['material'], 'tilesPerObjectUnit'>;
   dots: NonNullable<HatchingSpec['dots']>;
-  sizedOnScreen: number;
+  screenSpaceShare: number;
 };
 
 /** The ink of a disc with a soft edge, by the distance from its middle, as in dots.glsl. Smaller discs are paler. */
@@ -39,8 +39,8 @@ function discInk(away: number, area: number, edge: number): number {
 
 /** The darkness of dots, by the functions that draw them in vector files. Light and tone are those of the reference. */
 export function stippleDarkness(scene: StippleScene, reference: HatchingReference): DarknessOf {
-  const { matrixWorld, camera, material, dots, sizedOnScreen } = scene;
-  const size = { dotPixels: dots.strokeWidth, tilesPerUnit: material.tilesPerUnit, sizedOnScreen };
+  const { matrixWorld, camera, material, dots, screenSpaceShare } = scene;
+  const size = { dotPixels: dots.strokeWidth, tilesPerObjectUnit: material.tilesPerObjectUnit, screenSpaceShare };
   const edge = Math.max(dots.edgePixels, 0.01);
   const world = mat4.invert(mat4.create(), camera.view as unknown as mat4)!;
   const projection = new Projection({ ...camera, world, near: 0 }, scene.width, scene.height);
@@ -65,7 +65,7 @@ export function stippleDarkness(scene: StippleScene, reference: HatchingReferenc
       const octave = dotOctave(Math.abs(area), own, size);
       const cells = 2 ** (Math.floor(octave) + 1);
       const full = dotArea(Math.abs(area), own, octave);
-      const shift = setShift(axis, size.tilesPerUnit);
+      const shift = setShift(axis, size.tilesPerObjectUnit);
       const at = [cells * (dot(place, u) + shift[0]), cells * (dot(place, v) + shift[1])];
       let ink = 0;
       for (let y = Math.floor(at[1]) - 3; y <= at[1] + 3; y++) {

@@ -19,11 +19,11 @@ test('strokes turn clockwise about the normal, in every technique', async ({ pag
         technique,
         ...(technique === 'engraved'
           ? { lineSpacing: 8, crossFrom: 1, tonalArtMap: null }
-          : { tilesPerUnit: 1, tonalArtMap }),
+          : { tilesPerObjectUnit: 1, tonalArtMap }),
       });
       // The direction that the picture changes in, from −π/2 to π/2: twice the angle of the mean of squared gradients.
-      const across = (strokeRotation: number): number => {
-        mesh.material.strokeRotation = strokeRotation;
+      const across = (strokeAngle: number): number => {
+        mesh.material.strokeAngle = strokeAngle;
         const pixels = pixelsOf(sceneOf(mesh, light), renderer, camera);
         let [x2, xy, y2] = [0, 0, 0];
         for (let y = 0; y < SIZE - 1; y++) {

@@ -39,7 +39,7 @@ async function measureTones(style: StrokeStyleName): Promise<number[]> {
   const errors = [];
   for (const level of [0, 0.25, 0.5, 0.75]) {
     // The size at which the map is too fine by this share of a level.
-    mesh.material.tilesPerUnit = (2 ** level * side) / (2 * size);
+    mesh.material.tilesPerObjectUnit = (2 ** level * side) / (2 * size);
     for (const tone of [0.15, 0.4, 0.7]) {
       light.position.set(Math.sqrt(1 - (1 - tone) ** 2), 0, 1 - tone);
       let paper = 0;
@@ -75,8 +75,8 @@ test('a highlight that is kept is blank up to its tone, sharply or softly, and n
       return 1 - pixel[0] / 255;
     };
     const tones = [0.1, 0.25, 0.35, 0.5, 0.7];
-    const row = (highlightTone: number, highlightSoftness: number): number[] => {
-      Object.assign(mesh.material, { highlightTone, highlightSoftness });
+    const row = (highlightThreshold: number, highlightSoftness: number): number[] => {
+      Object.assign(mesh.material, { highlightThreshold, highlightSoftness });
       return tones.map(printed);
     };
     return { all: row(0, 0), sharp: row(0.3, 0), soft: row(0.3, 0.5) };

@@ -12,12 +12,12 @@ import type { Vec3 } from './referenceAdjacency.js';
 export type ThresholdFunction = (u: number, v: number, level: number) => number;
 
 export interface AnchoredSettings {
-  tilesPerUnit: number;
-  strokeRotation: number;
-  anchorSpacing: number;
+  tilesPerObjectUnit: number;
+  strokeAngle: number;
+  latticeSpacing: number;
   /** Whether directions are known up to their sign only, so that the map is shifted by half tiles. */
   halfTiles: boolean;
-  sizedOnScreen: number;
+  screenSpaceShare: number;
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
   /** The axis of strokes that follow the form or a slant, in the tangent plane; left out if they follow the light. */
   axisAt?: (point: Vec3, normal: Vec3, isDark: boolean) => Vec3;
@@ -131,12 +131,12 @@ function anchoredField(
   coarser: number,
   settings: AnchoredSettings,
 ): Field {
-  const magnification = -Math.log2(settings.tilesPerUnit * unitsPerPixel * settings.mapSize);
-  const wanted = settings.sizedOnScreen * magnification;
+  const magnification = -Math.log2(settings.tilesPerObjectUnit * unitsPerPixel * settings.mapSize);
+  const wanted = settings.screenSpaceShare * magnification;
   const lattice = Math.ceil(wanted);
   const octaves = lattice - magnification + coarser;
   const coarse = latticeField(point, tangent, bitangent, lattice, octaves, settings);
-  if (settings.sizedOnScreen === 0) return coarse;
+  if (settings.screenSpaceShare === 0) return coarse;
   // The fade covers the last three quarters of the way to the next lattice.
   const way = Math.min(1, Math.max(0, (1 - lattice + wanted - 0.25) / 0.75));
   const fade = way * way * (3 - 2 * way);
@@ -156,10 +156,10 @@ function latticeField(
   octaves: number,
   settings: AnchoredSettings,
 ): Field {
-  const { tilesPerUnit, strokeRotation, anchorSpacing, threshold } = settings;
-  const edge = anchorSpacing / (tilesPerUnit * 2 ** lattice);
-  const cos = Math.cos(strokeRotation);
-  const sin = Math.sin(strokeRotation);
+  const { tilesPerObjectUnit, strokeAngle, latticeSpacing, threshold } = settings;
+  const edge = latticeSpacing / (tilesPerObjectUnit * 2 ** lattice);
+  const cos = Math.cos(strokeAngle);
+  const sin = Math.sin(strokeAngle);
   const level = Math.min(Math.max(octaves, 0), settings.mapLevels - 1);
   const finer = Math.floor(level);
   const share = level - finer;
@@ -169,8 +169,8 @@ function latticeField(
     const weight = Math.max(0.5 - dot(offset, offset), 0) ** 6;
     const hash = hashAnchor(id, lattice);
     const shift = (word: number) => (settings.halfTiles ? 0.5 * (word & 1) : word / 65536);
-    const s = dot(offset, tangent) * anchorSpacing;
-    const t = dot(offset, bitangent) * anchorSpacing;
+    const s = dot(offset, tangent) * latticeSpacing;
+    const t = dot(offset, bitangent) * latticeSpacing;
     const u = (s * cos - t * sin) * (hash & 0x8000 ? -1 : 1) + shift(hash & 0xffff);
     const v = s * sin + t * cos + shift(hash >>> 16);
     const mixed = share === 0 ? 0 : share * threshold(u, v, finer + 1);
@@ -196,14 +196,14 @@ export function anchoredExcess(
   settings: AnchoredSettings,
 ): number {
   const world = reference.toWorld(point);
-  const edge = settings.anchorSpacing / settings.tilesPerUnit;
+  const edge = settings.latticeSpacing / settings.tilesPerObjectUnit;
   const toViewer = reference.toViewer(world);
   const worldNormal = reference.normalToWorld(toneNormal);
   const axis = settings.axisAt?.(point, strokeNormal, reference.isDark(worldNormal, world));
   const { tangent, bitangent, crossing } = axis
     ? { tangent: axis, bitangent: cross(strokeNormal, axis), crossing: 0 }
     : reference.frameOfNormal(strokeNormal, world);
-  const strokeRotation = axis ? 0 : settings.strokeRotation;
+  const strokeAngle = axis ? 0 : settings.strokeAngle;
   const tone = reference.tone(world, worldNormal);
   const unshadowed = reference.tone(world, worldNormal, false);
   const isCrossed = settings.shadowStrokes === 'cross';
@@ -214,8 +214,8 @@ export function anchoredExcess(
   }
   const excesses = layers.map((layer) => {
     const at = point.map((c, axis) => c + layer.shift * LAYER_SHIFT[axis] * edge) as Vec3;
-    const turned = { ...settings, strokeRotation: strokeRotation + layer.angle };
-    const { strokeRotation: angle } = turned;
+    const turned = { ...settings, strokeAngle: strokeAngle + layer.angle };
+    const { strokeAngle: angle } = turned;
     const across = tangent.map((x, axis) => Math.sin(angle) * x + Math.cos(angle) * bitangent[axis]) as Vec3;
     const coarser = crowdedOctaves(across, strokeNormal, toViewer);
     return layer.tone - uniformOf(anchoredField(at, tangent, bitangent, unitsPerPixel, coarser, turned));

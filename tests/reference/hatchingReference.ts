@@ -34,8 +34,8 @@ export interface ReferenceMaterial {
   toneSteps: number;
   shininess: number;
   toneNormal: 'face' | 'smooth';
-  tilesPerUnit: number;
-  strokeRotation: number;
+  tilesPerObjectUnit: number;
+  strokeAngle: number;
   strokeOffset: [number, number];
   blendAngle: number;
   toneCurve: 'linear' | 'perceptual' | [number, number][];
@@ -52,14 +52,14 @@ export interface ReferenceMaterial {
   ink: Vec3;
   paper: Vec3;
   color: Vec3;
-  localTone: number;
+  colorHatching: number;
   colorFill: number;
   /** Factor on the light. Default: 1. */
   exposure?: number;
   /** How much tone fades with depth, view units. Default: none. */
   depthFade?: number;
-  depthNear?: number;
-  depthFar?: number;
+  depthFadeStart?: number;
+  depthFadeEnd?: number;
   /** A point in the world. Tone falls off from one radius around it to 2.5. */
   focus?: Vec3;
   focusRadius?: number;
@@ -298,15 +298,18 @@ export class HatchingReference {
 
   /** Texture coordinates of an object-space point in the frame of a triangle: project (Algorithm 2), then measure. */
   coordinates(point: Vec3, triangle: Triangle): [number, number] {
-    const { tilesPerUnit, strokeRotation, strokeOffset } = this.scene.material;
+    const { tilesPerObjectUnit, strokeAngle, strokeOffset } = this.scene.material;
     const n = faceNormal(triangle);
     const projected = subtract(point, scale(n, dot(subtract(point, triangle[0]), n)));
     const { tangent, bitangent } = this.frame(triangle);
     const s = dot(projected, tangent);
     const t = dot(projected, bitangent);
-    const cos = Math.cos(strokeRotation);
-    const sin = Math.sin(strokeRotation);
-    return [(s * cos - t * sin) * tilesPerUnit + strokeOffset[0], (s * sin + t * cos) * tilesPerUnit + strokeOffset[1]];
+    const cos = Math.cos(strokeAngle);
+    const sin = Math.sin(strokeAngle);
+    return [
+      (s * cos - t * sin) * tilesPerObjectUnit + strokeOffset[0],
+      (s * sin + t * cos) * tilesPerObjectUnit + strokeOffset[1],
+    ];
   }
 
   /** Section 3.4: tone of a world position with a world normal, with the shadows or as if there were none. */
@@ -339,8 +342,8 @@ export class HatchingReference {
       if (isPlane) seen += 1.2 * Math.max(seen - 0.25, 0) * Math.max(dot(n, normalize(side)), 0);
       radiance += (material.reflectedLight * luminance(arriving.coneless) * seen) / Math.PI;
     }
-    // A colour with half the lightness of white brings the tone half way to that of no light, times localTone.
-    const darkness = material.localTone * (1 - lightness(luminance(material.color)));
+    // A colour with half the lightness of white brings the tone half way to that of no light, times colorHatching.
+    const darkness = material.colorHatching * (1 - lightness(luminance(material.color)));
     const printed =
       (1 - darkness) * this.printedTone((material.exposure ?? 1) * radiance) + darkness * this.printedTone(0);
     return this.fading(position) * printed;
@@ -349,7 +352,7 @@ export class HatchingReference {
   /** A factor on the tone. */
   private fading(position: Vec3): number {
     const { camera, material, importance = 1 } = this.scene;
-    const { depthFade = 0, depthNear = 0, depthFar = 1, focus, focusRadius = 1, vignette = 0 } = material;
+    const { depthFade = 0, depthFadeStart = 0, depthFadeEnd = 1, focus, focusRadius = 1, vignette = 0 } = material;
     let left = importance;
     if (focus) {
       const away = scale(subtract(position, focus), 1 / focusRadius);
@@ -358,7 +361,7 @@ export class HatchingReference {
     if (depthFade === 0 && vignette === 0) return left;
     const view = vec4.transformMat4([0, 0, 0, 0], [...position, 1], camera!.view as unknown as mat4);
     // Aerial perspective follows e^(−3 t), scaled to its value at the far end.
-    const way = clamp01((-view[2] - depthNear) / (depthFar - depthNear));
+    const way = clamp01((-view[2] - depthFadeStart) / (depthFadeEnd - depthFadeStart));
     left *= 1 - (depthFade * Math.expm1(-3 * way)) / Math.expm1(-3);
     const clip = vec4.transformMat4([0, 0, 0, 0], view, camera!.projection as unknown as mat4);
     const [x, y] = [clip[0] / clip[3], clip[1] / clip[3]];
@@ -422,7 +425,7 @@ export class HatchingReference {
     const { size = 1, unitsPerPixel, material } = this.scene;
     if (material.levelRule !== 'depth') return 0;
     const objectPerWorld = Math.cbrt(Math.abs(mat3.determinant(this.worldToObjectLinear as unknown as mat3)));
-    return Math.log2(material.tilesPerUnit * size * objectPerWorld * unitsPerPixel!(world));
+    return Math.log2(material.tilesPerObjectUnit * size * objectPerWorld * unitsPerPixel!(world));
   }
 
   /** The values that are blended at the point b0·V0 + b1·V1 + b2·V2 of a triangle with these neighbours. */

@@ -80,7 +80,7 @@ test.describe('the gate itself', () => {
 
   test('stops strokes that are turned by one degree', { tag: '@all' }, async ({ page }) => {
     const golden = await render(page, bunny);
-    const turned = { ...bunny, material: { ...bunny.material, strokeRotation: Math.PI / 180 } };
+    const turned = { ...bunny, material: { ...bunny.material, strokeAngle: Math.PI / 180 } };
     expect(compareWithGolden(await render(page, turned), golden).verdict).toBe('different');
   });
 });

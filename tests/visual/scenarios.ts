@@ -41,9 +41,9 @@ export interface Scenario {
       HatchingMaterialOptions,
       | 'technique'
       | 'crisp'
-      | 'tilesPerUnit'
-      | 'strokeRotation'
-      | 'sizedOnScreen'
+      | 'tilesPerObjectUnit'
+      | 'strokeAngle'
+      | 'screenSpaceShare'
       | 'debugView'
       | 'toneModel'
       | 'toneSteps'
@@ -55,7 +55,7 @@ export interface Scenario {
       | 'levelRule'
       | 'strokeField'
       | 'lineField'
-      | 'handmade'
+      | 'irregularity'
     >
   >;
   /** Parameters of the outlines, if any. */
@@ -127,55 +127,55 @@ export const scenarios: readonly Scenario[] = [
     name: 'figure-04-a-triangle',
     figure: 4,
     sentence: 'Four adjacent triangles with different normals, without blending: strokes break at every shared edge.',
-    material: { technique: 'triangle', tilesPerUnit: 1.2 },
+    material: { technique: 'triangle', tilesPerObjectUnit: 1.2 },
   },
   {
     ...patch,
     name: 'figure-04-b-adjacency',
     figure: 4,
     sentence: 'The same triangles blended with their neighbours: strokes fade into each other across the edges.',
-    material: { technique: 'adjacency', tilesPerUnit: 1.2 },
+    material: { technique: 'adjacency', tilesPerObjectUnit: 1.2 },
   },
   {
     ...patch,
     name: 'figure-08-blend-factors',
     figure: 8,
     sentence: 'What each neighbour contributes: red, green and blue stand for the triangles across edges 0, 1 and 2.',
-    material: { technique: 'adjacency', tilesPerUnit: 1.2, debugView: 'blendFactors' },
+    material: { technique: 'adjacency', tilesPerObjectUnit: 1.2, debugView: 'blendFactors' },
   },
   ...(['lambert', 'halfLambert', 'phong', 'toon'] as const).map((toneModel) => ({
     ...face,
     name: `figure-09-${toneModel}`,
     figure: 9,
     sentence: `Texture numbers by the lighting technique ${toneModel}.`,
-    material: { tilesPerUnit: 1.5, toneModel, toneSteps: 4 },
+    material: { tilesPerObjectUnit: 1.5, toneModel, toneSteps: 4 },
   })),
   ...[0, 45, 90].map((degrees) => ({
     ...face,
     name: `figure-10-rotation-${degrees}`,
     sentence: `Strokes turned by ${degrees} degrees about the normal of each triangle.`,
-    material: { tilesPerUnit: 1.5, strokeRotation: (degrees * Math.PI) / 180 },
+    material: { tilesPerObjectUnit: 1.5, strokeAngle: (degrees * Math.PI) / 180 },
   })),
   // Smaller scales than elsewhere: from about 0.6 on the levels of the map keep strokes as wide as they are drawn.
-  ...Object.entries({ coarse: 0.15, medium: 0.3, fine: 0.6 }).map(([name, tilesPerUnit]) => ({
+  ...Object.entries({ coarse: 0.15, medium: 0.3, fine: 0.6 }).map(([name, tilesPerObjectUnit]) => ({
     ...face,
     name: `figure-10-scale-${name}`,
-    sentence: `Strokes at ${tilesPerUnit} tiles per unit of the model.`,
-    material: { tilesPerUnit },
+    sentence: `Strokes at ${tilesPerObjectUnit} tiles per unit of the model.`,
+    material: { tilesPerObjectUnit },
   })),
   ...Object.entries({ left: sun(-2, 0.5, 1), above: sun(0, 2, 1), right: sun(2, 0.5, 1) }).map(([side, lights]) => ({
     ...face,
     name: `figure-10-light-${side}`,
     sentence: side === 'above' ? 'Light from above.' : `Light from the ${side}.`,
     lights,
-    material: { tilesPerUnit: 1.5 },
+    material: { tilesPerObjectUnit: 1.5 },
   })),
   ...[-40, 0, 40].map((degrees) => ({
     ...face,
     name: `figure-10-model-${degrees < 0 ? `minus-${-degrees}` : degrees}`,
     sentence: `The model turned by ${degrees} degrees under a light that stays where it is.`,
     modelRotation: [0, (degrees * Math.PI) / 180, 0] as const,
-    material: { tilesPerUnit: 1.5 },
+    material: { tilesPerObjectUnit: 1.5 },
   })),
   ...Object.entries({ left: sun(-2, 0.6, 1), above: sun(0, 2, 0.7), right: sun(2, 0.6, 1) }).map(([side, lights]) => ({
     ...dragon,
@@ -183,7 +183,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 11,
     sentence: `Details of the form stay visible with the light ${side === 'above' ? 'above' : `on the ${side}`}.`,
     lights,
-    material: { tilesPerUnit: 1.5 },
+    material: { tilesPerObjectUnit: 1.5 },
   })),
   ...(['hatching', 'crossHatching', 'stippling'] as const).map((style) => ({
     ...dragon,
@@ -192,35 +192,35 @@ export const scenarios: readonly Scenario[] = [
     sentence: `The dragon drawn with the map ${style}.`,
     lights: sun(-2, 0.6, 1),
     tonalArtMap: { ...common.tonalArtMap, style },
-    material: { tilesPerUnit: 1.5, strokeRotation: QUARTER_TURN },
+    material: { tilesPerObjectUnit: 1.5, strokeAngle: QUARTER_TURN },
   })),
   ...Object.entries({ without: 'triangle', with: 'adjacency' } as const).map(([blending, technique]) => ({
     ...chair,
     name: `figure-13-${blending}-blending`,
     figure: 13,
     sentence: `A coloured chair ${blending} blending between its triangles.`,
-    material: { technique, tilesPerUnit: 1.2, color: '#c9573f' },
+    material: { technique, tilesPerObjectUnit: 1.2, color: '#c9573f' },
   })),
   {
     ...bunny,
     name: 'figure-14-towards',
     figure: 14,
     sentence: 'Strokes drawn towards the light.',
-    material: { tilesPerUnit: 1.5, strokeRotation: QUARTER_TURN },
+    material: { tilesPerObjectUnit: 1.5, strokeAngle: QUARTER_TURN },
   },
   {
     ...bunny,
     name: 'figure-14-tangent',
     figure: 14,
     sentence: 'Strokes drawn tangent to the direction of the light.',
-    material: { tilesPerUnit: 1.5, strokeRotation: 0 },
+    material: { tilesPerObjectUnit: 1.5, strokeAngle: 0 },
   },
   {
     ...bunny,
     name: 'beyond-anchored',
     figure: 0,
     sentence: 'Anchored strokes, sized on the object: continuous, black and white.',
-    material: { technique: 'anchored', tilesPerUnit: 2 },
+    material: { technique: 'anchored', tilesPerObjectUnit: 2 },
   },
   {
     ...dragon,
@@ -228,7 +228,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Anchored strokes, sized on the screen.',
     lights: sun(1.2, 1, 1),
-    material: { technique: 'anchored', strokeRotation: QUARTER_TURN, sizedOnScreen: 1 },
+    material: { technique: 'anchored', strokeAngle: QUARTER_TURN, screenSpaceShare: 1 },
   },
   {
     ...dragon,
@@ -239,7 +239,7 @@ export const scenarios: readonly Scenario[] = [
     material: {
       technique: 'anchored',
       strokeField: 'form',
-      sizedOnScreen: 1,
+      screenSpaceShare: 1,
       reflectedLight: 0.3,
       strokeLayers: 'tone',
       crossFrom: 0.4,
@@ -251,7 +251,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Contours, heavier in the shade, over strokes that leave the lit side white.',
     lights: sun(-1, 1.5, 1.2),
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, sizedOnScreen: 1 },
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
     outlines: { outlineWidth: 2 },
   },
   {
@@ -259,7 +259,7 @@ export const scenarios: readonly Scenario[] = [
     name: 'outlines-chair',
     figure: 0,
     sentence: 'Borders and creases by an unsteady hand that runs on past corners.',
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, sizedOnScreen: 1 },
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
     outlines: { outlineWidth: 2, wobble: 1.5, overshoot: 5 },
   },
   {
@@ -267,7 +267,7 @@ export const scenarios: readonly Scenario[] = [
     name: 'outlines-face',
     figure: 0,
     sentence: 'Suggestive contours beside contours.',
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, sizedOnScreen: 1 },
+    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
     outlines: { outlineWidth: 2, suggestiveContours: 0.6 },
   },
   {
@@ -276,7 +276,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Engraved around the light, crossed in the darks, with contours.',
     lights: sun(-1, 1.5, 1.2),
-    material: { technique: 'engraved', reflectedLight: 0.12, sizedOnScreen: 1 },
+    material: { technique: 'engraved', reflectedLight: 0.12, screenSpaceShare: 1 },
     outlines: { outlineWidth: 2 },
   },
   {
@@ -284,35 +284,35 @@ export const scenarios: readonly Scenario[] = [
     name: 'engraved-fixed',
     figure: 0,
     sentence: 'Lines cut across an axis of the object by a ruling machine; only their width answers the light.',
-    material: { technique: 'engraved', lineField: 'y', handmade: 0, sizedOnScreen: 1 },
+    material: { technique: 'engraved', lineField: 'y', irregularity: 0, screenSpaceShare: 1 },
   },
   {
     ...bunny,
     name: 'beyond-crisp',
     figure: 0,
     sentence: "The paper's frames and weights, with thresholds blended instead of greys.",
-    material: { technique: 'adjacency', crisp: true, tilesPerUnit: 1.5 },
+    material: { technique: 'adjacency', crisp: true, tilesPerObjectUnit: 1.5 },
   },
   {
     ...bunny,
     name: 'tone-linear',
     figure: 0,
     sentence: 'As much ink as there is shade: the side turned away is black.',
-    material: { technique: 'anchored', tilesPerUnit: 2, strokeRotation: QUARTER_TURN },
+    material: { technique: 'anchored', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN },
   },
   {
     ...bunny,
     name: 'tone-perceptual',
     figure: 0,
     sentence: 'Half the paper is covered where the light looks half as light as white.',
-    material: { technique: 'anchored', tilesPerUnit: 2, strokeRotation: QUARTER_TURN, toneCurve: 'perceptual' },
+    material: { technique: 'anchored', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, toneCurve: 'perceptual' },
   },
   {
     ...bunny,
     name: 'tone-reflected-light',
     figure: 0,
     sentence: 'The surroundings reflect half the light: shade is darkest where it begins and opens up behind.',
-    material: { technique: 'anchored', tilesPerUnit: 2, strokeRotation: QUARTER_TURN, reflectedLight: 0.5 },
+    material: { technique: 'anchored', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, reflectedLight: 0.5 },
   },
   {
     ...bunny,
@@ -320,7 +320,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Two lights: where they disagree, a second layer of strokes crosses the first.',
     lights: twoSuns,
-    material: { tilesPerUnit: 1.5, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
+    material: { tilesPerObjectUnit: 1.5, strokeAngle: QUARTER_TURN, strokeLayers: 'lights' },
   },
   {
     ...bunny,
@@ -328,7 +328,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'The same two lights and layers, in anchored strokes.',
     lights: twoSuns,
-    material: { technique: 'anchored', tilesPerUnit: 2, strokeRotation: QUARTER_TURN, strokeLayers: 'lights' },
+    material: { technique: 'anchored', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, strokeLayers: 'lights' },
   },
   {
     ...bunny,
@@ -337,8 +337,8 @@ export const scenarios: readonly Scenario[] = [
     sentence: 'Strokes cross in the darks: a second layer at 60°, and a third.',
     material: {
       technique: 'anchored',
-      sizedOnScreen: 1,
-      strokeRotation: QUARTER_TURN,
+      screenSpaceShare: 1,
+      strokeAngle: QUARTER_TURN,
       reflectedLight: 0.4,
       strokeLayers: 'tone',
       crossFrom: 0.35,
@@ -349,13 +349,13 @@ export const scenarios: readonly Scenario[] = [
     name: 'levels-floor-derivatives',
     sentence:
       'A long floor, its level by screen derivatives: strokes are never too fine, but wide where the floor slants.',
-    material: { tilesPerUnit: 10 },
+    material: { tilesPerObjectUnit: 10 },
   },
   {
     ...floor,
     name: 'levels-floor-depth',
     sentence: 'The same floor, its level by depth as in the paper: strokes as wide as drawn from near to far.',
-    material: { tilesPerUnit: 10, levelRule: 'depth' },
+    material: { tilesPerObjectUnit: 10, levelRule: 'depth' },
   },
   {
     ...floor,
@@ -363,7 +363,7 @@ export const scenarios: readonly Scenario[] = [
     sentence:
       'By derivatives with anisotropic filtering: strokes keep their place on the floor and turn grey far away.',
     anisotropy: 8,
-    material: { tilesPerUnit: 10 },
+    material: { tilesPerObjectUnit: 10 },
   },
   ...Object.entries({ near: 1.2, middle: 2.4, far: 4.8 }).map(([name, distance]) => ({
     ...common,
@@ -373,7 +373,7 @@ export const scenarios: readonly Scenario[] = [
     model: 'dragon' as const,
     camera: { position: [0, 0.1 * distance, distance] as const, fov: 28 },
     lights: sun(1.2, 1, 1),
-    material: { tilesPerUnit: 2, strokeRotation: QUARTER_TURN, levelRule: 'depth' as const },
+    material: { tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, levelRule: 'depth' as const },
   })),
   {
     ...flat,

@@ -121,7 +121,13 @@ async function programsOfMany(drawn: 'forceWebGL' | 'webgpu', count: number): Pr
   const geometry = new SphereGeometry(0.1, 12, 8);
   for (let i = 0; i < count; i++) {
     const lineField = i % 2 ? 'light' : 'y';
-    const look = { technique: 'engraved', lineField, lineSpacing: 4 + 0.1 * i, ink: i, handmade: i / count } as const;
+    const look = {
+      technique: 'engraved',
+      lineField,
+      lineSpacing: 4 + 0.1 * i,
+      ink: i,
+      irregularity: i / count,
+    } as const;
     const mesh = new Mesh(geometry, await kitOf(drawn).hatching(look));
     mesh.position.set(0.2 * (i % 10) - 1, 0.2 * Math.floor(i / 10) - 0.5, 0);
     stage.scene.add(mesh);

@@ -35,7 +35,11 @@ export class FigureDrawing {
   /** The colour behind the model. */
   readonly paper: string;
   readonly camera = createCamera();
-  private readonly materials: { material: HatchingMaterial; technique: HatchingTechnique; tilesPerUnit: number }[] = [];
+  private readonly materials: {
+    material: HatchingMaterial;
+    technique: HatchingTechnique;
+    tilesPerObjectUnit: number;
+  }[] = [];
   private readonly light;
   private readonly reflected = new HemisphereLight('white', 'black');
   private readonly lightPosition = new Vector3();
@@ -70,7 +74,7 @@ export class FigureDrawing {
       const parameters = { ink, paper, ...preset?.material, ...options, technique, side: model.side };
       const material = new HatchingMaterial(parameters);
       if (needsMap(material)) material.tonalArtMap = await mapOf(style ?? preset?.tonalArtMap?.style ?? 'hatching');
-      drawing.materials.push({ material, technique, tilesPerUnit: material.tilesPerUnit });
+      drawing.materials.push({ material, technique, tilesPerObjectUnit: material.tilesPerObjectUnit });
       const mesh = new Mesh(geometry, material);
       if (outlines !== false && (outlines || preset))
         mesh.add(new HatchingOutlines(mesh, { ink, ...preset?.outlines, ...outlines }));
@@ -94,10 +98,10 @@ export class FigureDrawing {
 
   /** Sets the technique of the materials. */
   setTechnique(choice: TechniqueChoice): void {
-    for (const { material, technique, tilesPerUnit } of this.materials) {
+    for (const { material, technique, tilesPerObjectUnit } of this.materials) {
       const isReplaced = choice === 'anchored' && technique === 'adjacency' && !this.figure.fixedTechnique;
       material.technique = isReplaced ? 'anchored' : technique;
-      material.tilesPerUnit = isReplaced ? ANCHORED_SCALE * tilesPerUnit : tilesPerUnit;
+      material.tilesPerObjectUnit = isReplaced ? ANCHORED_SCALE * tilesPerObjectUnit : tilesPerObjectUnit;
     }
   }
 }

@@ -12,8 +12,8 @@ export interface Look
     Pick<
       HatchingMaterialOptions,
       | 'technique'
-      | 'tilesPerUnit'
-      | 'strokeRotation'
+      | 'tilesPerObjectUnit'
+      | 'strokeAngle'
       | 'toneModel'
       | 'toneSteps'
       | 'shininess'
@@ -25,7 +25,7 @@ export interface Look
       | 'crossAngle'
       | 'lineField'
       | 'lineSpacing'
-      | 'sizedOnScreen'
+      | 'screenSpaceShare'
       | 'strokeWidth'
       | 'crossFrom'
     >
@@ -129,7 +129,7 @@ export const FIGURES: readonly Figure[] = [
     here: 'The same: without blending every edge shows; with it strokes run out into grey before the edge.',
     model: 'fourTriangles',
     aspect: 1.1,
-    look: { tilesPerUnit: 1.2 },
+    look: { tilesPerObjectUnit: 1.2 },
     rows: [
       {
         panels: [
@@ -149,7 +149,7 @@ export const FIGURES: readonly Figure[] = [
     model: 'fourTriangles',
     aspect: 1.1,
     fixedTechnique: true,
-    look: { tilesPerUnit: 1.2 },
+    look: { tilesPerObjectUnit: 1.2 },
     rows: [
       {
         panels: [
@@ -184,7 +184,7 @@ export const FIGURES: readonly Figure[] = [
     beside: true,
     light: { position: [-1.6, 1.3, 1.3], reflected: 0 },
     view: [0.1, 0.3, 1],
-    look: { tilesPerUnit: 2, toneNormal: 'smooth' },
+    look: { tilesPerObjectUnit: 2, toneNormal: 'smooth' },
     rows: (
       [
         ['lambert', 'Lambert', {}],
@@ -209,22 +209,22 @@ export const FIGURES: readonly Figure[] = [
     aspect: 1,
     light: { position: [1, 1.2, 1.5] },
     view: [0.05, 0.1, 1],
-    look: { tilesPerUnit: 1.3 },
+    look: { tilesPerObjectUnit: 1.3 },
     rows: [
       {
         label: 'Strokes turned about the normal of each triangle',
         panels: [0, 30, 60, 90].map((angle) => ({
           name: `rotation-${angle}`,
           label: `${angle}°`,
-          look: { strokeRotation: degrees(angle) },
+          look: { strokeAngle: degrees(angle) },
         })),
       },
       {
         label: 'Strokes scaled',
-        panels: [0.3, 0.6, 1.2, 2.4].map((tilesPerUnit) => ({
-          name: `scale-${tilesPerUnit}`,
-          label: `${tilesPerUnit} tiles to a unit`,
-          look: { tilesPerUnit },
+        panels: [0.3, 0.6, 1.2, 2.4].map((tilesPerObjectUnit) => ({
+          name: `scale-${tilesPerObjectUnit}`,
+          label: `${tilesPerObjectUnit} tiles to a unit`,
+          look: { tilesPerObjectUnit },
         })),
       },
       {
@@ -256,7 +256,7 @@ export const FIGURES: readonly Figure[] = [
     aspect: 0.8,
     light: { position: SIDES.left.position },
     view: [0.1, 0.05, 1],
-    look: { tilesPerUnit: 1.6, strokeRotation: degrees(90) },
+    look: { tilesPerObjectUnit: 1.6, strokeAngle: degrees(90) },
     rows: [
       {
         panels: Object.entries(SIDES).map(([name, { label, position }]) => ({ name, label, light: { position } })),
@@ -271,7 +271,7 @@ export const FIGURES: readonly Figure[] = [
     model: 'dragon',
     aspect: 1.3,
     light: { position: SIDES.left.position },
-    look: { tilesPerUnit: 1.6, strokeRotation: degrees(90) },
+    look: { tilesPerObjectUnit: 1.6, strokeAngle: degrees(90) },
     rows: (
       [
         ['hatching', 'Pen'],
@@ -300,7 +300,7 @@ export const FIGURES: readonly Figure[] = [
     aspect: 0.8,
     light: { position: SIDES.left.position },
     view: [0.75, 0.5, 1],
-    look: { tilesPerUnit: 1.2 },
+    look: { tilesPerObjectUnit: 1.2 },
     rows: Object.entries(liveries).map(([name, parts]) => ({
       panels: [
         {
@@ -327,12 +327,12 @@ export const FIGURES: readonly Figure[] = [
     aspect: 1.1,
     light: { position: [-1.2, 1.4, 1.2] },
     view: [0, 0.1, 1],
-    look: { tilesPerUnit: 1.6 },
+    look: { tilesPerObjectUnit: 1.6 },
     rows: [
       {
         panels: [
-          { name: 'towards', label: 'towards the light', look: { strokeRotation: degrees(90) } },
-          { name: 'tangent', label: 'tangent to it', look: { strokeRotation: 0 } },
+          { name: 'towards', label: 'towards the light', look: { strokeAngle: degrees(90) } },
+          { name: 'tangent', label: 'tangent to it', look: { strokeAngle: 0 } },
         ],
       },
     ],
@@ -345,16 +345,16 @@ export const FIGURES: readonly Figure[] = [
     aspect: 1.3,
     fixedTechnique: true,
     light: { position: SIDES.left.position },
-    look: { tilesPerUnit: 1.8, strokeRotation: degrees(90) },
+    look: { tilesPerObjectUnit: 1.8, strokeAngle: degrees(90) },
     rows: [
       {
         panels: [
           { name: 'adjacency', label: 'as in the paper' },
-          { name: 'anchored', label: 'anchored to the dragon', look: { technique: 'anchored', tilesPerUnit: 3 } },
+          { name: 'anchored', label: 'anchored to the dragon', look: { technique: 'anchored', tilesPerObjectUnit: 3 } },
           {
             name: 'crossed',
             label: 'crossing by tone',
-            look: { technique: 'anchored', tilesPerUnit: 3, strokeLayers: 'tone', crossFrom: 0.35 },
+            look: { technique: 'anchored', tilesPerObjectUnit: 3, strokeLayers: 'tone', crossFrom: 0.35 },
           },
         ],
       },

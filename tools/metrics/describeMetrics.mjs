@@ -36,7 +36,7 @@ without antialiasing (\`edgePixels: 0\`). ${Object.keys(models).length} models, 
 
 ![Coherence of the strokes by number of triangles, and flips by turn of the light](metrics.svg)
 
-\`engraved\` has its lines spaced on the screen (\`sizedOnScreen: 1\`), cut by the light; \`engraved, x\` has them cut by the x axis, and in
+\`engraved\` has its lines spaced on the screen (\`screenSpaceShare: 1\`), cut by the light; \`engraved, x\` has them cut by the x axis, and in
 \`engraved, form\` they follow the form.
 
 ## Requirements
@@ -75,7 +75,7 @@ ${table(
   them. On a sphere about its own origin the coordinates of Suarez et al. hardly change with the light (nor from place to place),
   so it is left out of the requirement. Lines cut by the light move as far as planes that turn about the middle of the model, and so change more than
   strokes; lines cut by an axis stay, and only their width would answer a change of tone.
-- **popping**: flips between frames of a camera that comes 8 times nearer in 45 frames with \`sizedOnScreen: 1\`. Each point is
+- **popping**: flips between frames of a camera that comes 8 times nearer in 45 frames with \`screenSpaceShare: 1\`. Each point is
   looked up where the next frame shows it. The largest value over the median, then the median itself; then the same index for
   the mean change of luminance. Engraved lines have soft edges and come in as hair lines: flips count them at the moment they
   are half dark, which on \`engraved, x\` is the same moment for all, while nothing jumps.

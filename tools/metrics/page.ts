@@ -35,9 +35,9 @@ HatchingMaterial.silent = true;
 /** The first technique. Where stroke spacing matters, the others are scaled to its spacing. */
 const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['anchored', { technique: 'anchored' }],
-  ['engraved', { technique: 'engraved', sizedOnScreen: 1 }],
-  ['engraved, x', { technique: 'engraved', sizedOnScreen: 1, lineField: 'x' }],
-  ['engraved, form', { technique: 'engraved', sizedOnScreen: 1, lineField: 'form' }],
+  ['engraved', { technique: 'engraved', screenSpaceShare: 1 }],
+  ['engraved, x', { technique: 'engraved', screenSpaceShare: 1, lineField: 'x' }],
+  ['engraved, form', { technique: 'engraved', screenSpaceShare: 1, lineField: 'form' }],
   ['adjacency', { technique: 'adjacency' }],
   ['adjacency, crisp', { technique: 'adjacency', crisp: true }],
   ['triangle', { technique: 'triangle' }],
@@ -63,7 +63,7 @@ export interface TechniqueMetrics {
   edgeJump?: EdgeJump;
   kink?: StrokeKink;
   /** Normalised flips as the light turns, at the stroke scale that gives all techniques the same spacing. */
-  light?: { tilesPerUnit: number; spacing: number; flips: { degrees: number; share: number }[] };
+  light?: { tilesPerObjectUnit: number; spacing: number; flips: { degrees: number; share: number }[] };
   /** Changes from frame to frame as the camera comes nearer: normalised flips, and luminance. */
   dolly?: { flips: number[]; popping: number; luminance: number[]; luminancePopping: number };
   /** Spacing in pixels as the camera comes nearer; octaveSpread: at the whole octaves of the way, 1, 2, 4 and 8 times as near. */
@@ -92,8 +92,8 @@ const SIZE = 400;
 /** Measures of motion use smaller pictures: they take many, and compare only like with like. */
 const MOVING_SIZE = 256;
 /** Strokes as in a picture of 1000 pixels at the default scale: the whole model reduced, or its middle at full size. */
-const WHOLE = { zoom: 1, tilesPerUnit: 1.2 };
-const MIDDLE = { zoom: 2.5, tilesPerUnit: 3 };
+const WHOLE = { zoom: 1, tilesPerObjectUnit: 1.2 };
+const MIDDLE = { zoom: 2.5, tilesPerObjectUnit: 3 };
 const TONES = [0.1, 0.25, 0.4, 0.6, 0.8];
 const LIGHT_TURNS = [0.1, 0.5, 1, 2];
 /** The tone of one image of the default map of eight tones, so that no technique blends two images. */
@@ -184,7 +184,7 @@ window.measureModel = async (name, plan, text) => {
 };
 
 function measureWhole(camera: SurfaceCamera, material: HatchingMaterial) {
-  material.tilesPerUnit = WHOLE.tilesPerUnit;
+  material.tilesPerObjectUnit = WHOLE.tilesPerObjectUnit;
   camera.view(WHOLE.zoom);
   return {
     greyness: greyness(camera.lit().shoot()),
@@ -210,7 +210,7 @@ function measureKink(geometry: BufferGeometry, edges: Uint32Array, material: Hat
 }
 
 function measureMiddle(camera: SurfaceCamera, material: HatchingMaterial) {
-  material.tilesPerUnit = MIDDLE.tilesPerUnit;
+  material.tilesPerObjectUnit = MIDDLE.tilesPerObjectUnit;
   const even = camera.view(MIDDLE.zoom).evenlyToned(EVEN_TONE).shoot();
   return {
     coherence: strokeCoherence(even),
@@ -228,7 +228,7 @@ async function measureDrawnLength(tonalArtMap: TonalArtMap): Promise<number> {
     crisp: true,
     levelRule: 'depth',
     edgePixels: 0,
-    tilesPerUnit: MIDDLE.tilesPerUnit,
+    tilesPerObjectUnit: MIDDLE.tilesPerObjectUnit,
   });
   const camera = new SurfaceCamera(renderer, SIZE, wall, material);
   const length = lengthBySpacing(camera.view(MIDDLE.zoom));
@@ -244,20 +244,20 @@ function lengthBySpacing(camera: SurfaceCamera): number {
 
 /** Flips per turn of the light depend on the stroke spacing, which is therefore made equal first. */
 function measureLight(camera: SurfaceCamera, material: HatchingMaterial, wantedSpacing: number) {
-  material.tilesPerUnit = MIDDLE.tilesPerUnit;
+  material.tilesPerObjectUnit = MIDDLE.tilesPerObjectUnit;
   camera.view(MIDDLE.zoom);
   // In several steps: a coarser scale may choose another level of the map.
   for (let step = 0; step < 4; step++) {
     const tooWide = strokeSpacing(camera.evenlyToned(EVEN_TONE).shoot()) / wantedSpacing;
     if (counts(material, 'lineSpacing')) material.lineSpacing /= tooWide;
-    else material.tilesPerUnit *= tooWide;
+    else material.tilesPerObjectUnit *= tooWide;
   }
   const before = camera.evenlyToned(EVEN_TONE).shoot();
   const flips = LIGHT_TURNS.map((degrees) => ({
     degrees,
     share: normalisedFlips(before, camera.evenlyToned(EVEN_TONE, degrees).shoot()),
   }));
-  return { tilesPerUnit: material.tilesPerUnit, spacing: strokeSpacing(before), flips };
+  return { tilesPerObjectUnit: material.tilesPerObjectUnit, spacing: strokeSpacing(before), flips };
 }
 
 function measureDolly(camera: SurfaceCamera, material: HatchingMaterial) {
@@ -285,8 +285,8 @@ function measureZoom(camera: SurfaceCamera, material: HatchingMaterial) {
 
 /** Sizes strokes on the screen. Returns the point of the model to move towards: the middle of the standard view. */
 function sizeOnScreen(camera: SurfaceCamera, material: HatchingMaterial): Vector3 {
-  material.tilesPerUnit = MIDDLE.tilesPerUnit;
-  material.sizedOnScreen = 1;
+  material.tilesPerObjectUnit = MIDDLE.tilesPerObjectUnit;
+  material.screenSpaceShare = 1;
   return middleOf(camera.evenlyToned(EVEN_TONE).view().shootLocated());
 }
 

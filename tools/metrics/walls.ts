@@ -51,7 +51,7 @@ function looks(): [string, HatchingMaterialParameters, Parameters<typeof TonalAr
     ]),
     ...FIELDS.map((lineField): ReturnType<typeof looks>[number] => [
       `lines, ${lineField}`,
-      plainLook({ technique: 'engraved', sizedOnScreen: 1, lineField, crossFrom: 1 }),
+      plainLook({ technique: 'engraved', screenSpaceShare: 1, lineField, crossFrom: 1 }),
       null,
     ]),
   ];

@@ -259,9 +259,9 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
 
 /** A preset with the strokes of a map. */
 function lookOfHand({ material }: HatchingPreset): HatchingPreset['material'] {
-  const { ink, paper, toneCurve, reflectedLight, exposure, localTone, colorFill, hollowTone } = material;
-  const tones = { toneCurve, reflectedLight, exposure, localTone, colorFill, hollowTone };
-  return { technique: 'anchored', sizedOnScreen: 1, ink, paper, ...tones };
+  const { ink, paper, toneCurve, reflectedLight, exposure, colorHatching, colorFill, hollowStrength } = material;
+  const tones = { toneCurve, reflectedLight, exposure, colorHatching, colorFill, hollowStrength };
+  return { technique: 'anchored', screenSpaceShare: 1, ink, paper, ...tones };
 }
 
 const SUN_DISTANCE = 3;

@@ -35,7 +35,7 @@ export interface NumberRow extends BaseRow {
   /** The default as an expression, where digits would be obscure. */
   defaultSource?: string;
   measure: HatchingMeasure;
-  /** Its unit at a `sizedOnScreen` of 1, if another. In between it is a mean of the two. */
+  /** Its unit at a `screenSpaceShare` of 1, if another. In between it is a mean of the two. */
   measureOnScreen?: HatchingMeasure;
   /** Left out: every finite number. */
   range?: NumberRange;

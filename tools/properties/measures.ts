@@ -8,7 +8,7 @@ const WORDS: Readonly<Record<HatchingMeasure, string>> = {
   radians: 'radians',
   tiles: 'tiles',
   tileParts: '256ths of a tile',
-  tilesPerUnit: 'tiles of the tonal art map per unit of object space',
+  tilesPerObjectUnit: 'tiles of the tonal art map per unit of object space',
   share: 'share',
   depths: 'depths of the scene',
   worldUnits: 'units of the world',
@@ -20,5 +20,5 @@ const WORDS: Readonly<Record<HatchingMeasure, string>> = {
 
 /** The measure of a number, in words. */
 export function measureWords(measure: HatchingMeasure, onScreen?: HatchingMeasure): string {
-  return onScreen ? `${WORDS[onScreen]} at a \`sizedOnScreen\` of 1, ${WORDS[measure]} at 0` : WORDS[measure];
+  return onScreen ? `${WORDS[onScreen]} at a \`screenSpaceShare\` of 1, ${WORDS[measure]} at 0` : WORDS[measure];
 }

@@ -1,5 +1,5 @@
 #include "noNeighbours"
 
 vec2 frameUv(const in HatchingParameters h) {
-  return tilesPerUnit * vec2(dot(h.point, h.uAxis), dot(h.point, h.vAxis));
+  return tilesPerObjectUnit * vec2(dot(h.point, h.uAxis), dot(h.point, h.vAxis));
 }

@@ -5,7 +5,7 @@ float crossingOf(const in HatchingParameters h) {
 // The same place in another layer, whose strokes are turned. turn: cosine and sine of the angle.
 HatchingParameters turnedLayer(const in HatchingParameters h, const in float layer, const in vec2 turn) {
   HatchingParameters turned = h;
-  turned.point = h.point + layer * LAYER_SHIFT * anchorSpacing / tilesPerUnit;
+  turned.point = h.point + layer * LAYER_SHIFT * latticeSpacing / tilesPerObjectUnit;
   turned.uAxis = turn.x * h.uAxis - turn.y * h.vAxis;
   turned.vAxis = turn.y * h.uAxis + turn.x * h.vAxis;
   #if MEDIUM != MEDIUM_STIPPLE

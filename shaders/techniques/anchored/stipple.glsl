@@ -6,9 +6,9 @@
 #include "perFragment/screenGradient"
 #include "largestComponents"
 
-uniform float tilesPerUnit; // tiles per object unit
-uniform float anchorSpacing; // tiles between anchors
-uniform float sizedOnScreen; // 0: dots spaced on the object, 1: on the screen
+uniform float tilesPerObjectUnit; // tiles per object unit
+uniform float latticeSpacing; // tiles between anchors
+uniform float screenSpaceShare; // 0: dots spaced on the object, 1: on the screen
 
 #include "technique/dots"
 
@@ -74,9 +74,9 @@ float coverOf(const in float tone) {
 
 // The logarithm to base 2 of cells per object unit at which dots cover half.
 float octaveOf(const in PlaneOnScreen plane) {
-  float onObject = log2(tilesPerUnit * DOTS_PER_TILE);
+  float onObject = log2(tilesPerObjectUnit * DOTS_PER_TILE);
   float onScreen = -0.5 * log2(max(abs(plane.area), 1e-30)) - log2(dotPixels / DOT_SHARE);
-  return mix(min(onObject, onScreen), onScreen, sizedOnScreen);
+  return mix(min(onObject, onScreen), onScreen, screenSpaceShare);
 }
 
 // The share that the dots of the plane across an axis cover.
@@ -86,7 +86,7 @@ float dotsAcross(const in vec3 point, const in vec3 axis, const in float cover, 
   PlaneOnScreen plane = planeOnScreen(screenGradient(u, onScreen), screenGradient(v, onScreen));
   float crowding = 0.5 * CROWDING * log2(-log2(1.0 - max(cover, LEAST_DENSE_SHARE)));
   vec2 place = vec2(dot(point, u), dot(point, v));
-  vec2 shift = vec2(dot(axis, SET_SHIFT), dot(axis, SET_SHIFT.yzx)) / tilesPerUnit;
+  vec2 shift = vec2(dot(axis, SET_SHIFT), dot(axis, SET_SHIFT.yzx)) / tilesPerObjectUnit;
   return dotsAt(place + shift, plane, octaveOf(plane) + crowding, cover);
 }
 

@@ -6,10 +6,10 @@
 #include "ink"
 #include "technique/simplexLattice"
 
-uniform float anchorSpacing; // tiles between anchors
-#ifdef SIZED_ON_SCREEN
-  uniform float sizedOnScreen; // 0: strokes sized on the object, 1: on the screen
-#endif // SIZED_ON_SCREEN
+uniform float latticeSpacing; // tiles between anchors
+#ifdef SCREEN_SPACE_SHARE
+  uniform float screenSpaceShare; // 0: strokes sized on the object, 1: on the screen
+#endif // SCREEN_SPACE_SHARE
 
 // Octaves between the lattices of strokes that are sized on the screen. Between them the levels of the map are used, whose strokes nest;
 // only in the last part of an octave does a lattice fade into the next.
@@ -25,7 +25,7 @@ uniform float anchorSpacing; // tiles between anchors
 float latticeField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in float lattice, const in ThresholdLevel level
 ) {
-  LatticeAnchors anchors = nearestAnchors(point * (tilesPerUnit * exp2(lattice * LATTICE_OCTAVES) / anchorSpacing), lattice);
+  LatticeAnchors anchors = nearestAnchors(point * (tilesPerObjectUnit * exp2(lattice * LATTICE_OCTAVES) / latticeSpacing), lattice);
   #if LIGHTS_WITH_DIRECTION > 1 || defined(STROKES_FOLLOW_FORM)
     // Several lights give a direction up to its sign, and so does the form. Where B turns into −B strokes stay: the map is symmetric about
     // its centre, and is shifted by half tiles only.
@@ -36,9 +36,9 @@ float latticeField(
     vec4 shiftV = vec4(anchors.hashes >> 16u) * (1.0 / 65536.0);
   #endif // LIGHTS_WITH_DIRECTION
   // One bit of each word mirrors its strokes.
-  vec4 along = anchorSpacing * uAxis * anchors.offsets;
+  vec4 along = latticeSpacing * uAxis * anchors.offsets;
   vec4 u = uintBitsToFloat(floatBitsToUint(along) ^ ((anchors.hashes << 16u) & 0x80000000u)) + shiftU;
-  vec4 v = anchorSpacing * vAxis * anchors.offsets + shiftV;
+  vec4 v = latticeSpacing * vAxis * anchors.offsets + shiftV;
   return blendedField(
     vec2(u.x, v.x), vec2(u.y, v.y), vec2(u.z, v.z), vec2(u.w, v.w), anchors.weights, level
   );
@@ -61,12 +61,12 @@ float foreshortenedOctaves(const in vec3 lean) {
 HatchField anchoredField(
   const in vec3 point, const in vec3 uAxis, const in vec3 vAxis, const in vec3 lean, const in bool isBlank, out float crowding
 ) {
-  // Octaves by which the map at tilesPerUnit is magnified: above 0 near, below 0 far away.
+  // Octaves by which the map at tilesPerObjectUnit is magnified: above 0 near, below 0 far away.
   float magnification = -levelByDepth(thresholdMapSize);
   float foreshortened = foreshortenedOctaves(lean);
   HatchField field = HatchField(0.0, 0.0);
-  #ifdef SIZED_ON_SCREEN
-    float wanted = sizedOnScreen * magnification / LATTICE_OCTAVES;
+  #ifdef SCREEN_SPACE_SHARE
+    float wanted = screenSpaceShare * magnification / LATTICE_OCTAVES;
     float lattice = ceil(wanted);
     float faceOn = lattice * LATTICE_OCTAVES - magnification;
     float octaves = faceOn + max(foreshortened - FREE_CROWDING, 0.0);
@@ -89,7 +89,7 @@ HatchField anchoredField(
       ThresholdLevel level = chooseLevel(levelFor(octaves));
       field = HatchField(latticeField(point, uAxis, vAxis, 0.0, level), level.mixing);
     }
-  #endif // SIZED_ON_SCREEN
+  #endif // SCREEN_SPACE_SHARE
   crowding = faceOn + foreshortened - levelFor(octaves);
   return field;
 }

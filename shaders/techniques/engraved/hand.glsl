@@ -1,5 +1,5 @@
 // The unsteadiness of a hand. It is fixed to the object, so that nothing moves with the camera.
-uniform float handmade; // 0: lines as by a ruling machine
+uniform float irregularity; // 0: lines as by a ruling machine
 
 // A wave of period 2 within [−1, 1]: two parabolas, smooth and far cheaper than a sine. halfX: half of the coordinate.
 vec3 wave(const in vec3 halfX) {
@@ -15,12 +15,12 @@ vec3 slowWaves(const in vec3 p) {
 
 // A point, displaced by the hand.
 vec3 handPoint(const in vec3 point, const in vec3 waves) {
-  return point + handmade * STRAY * waves;
+  return point + irregularity * STRAY * waves;
 }
 
 // Pressure varies along a line; in light tones the hand lifts, and leaves gaps.
 float handPressure(const in vec3 waves) {
-  return handmade * PRESSURE * waves.x * waves.y;
+  return irregularity * PRESSURE * waves.x * waves.y;
 }
 
 float handTone(const in float pressure, const in float tone) {
@@ -49,6 +49,6 @@ float turnOf(const in float line) {
 
 // A factor on the width of a whole line; 1 in the mean.
 float handWidth(const in float line) {
-  float most = handmade * WIDTHS;
+  float most = irregularity * WIDTHS;
   return most * hash01(line) + (1.0 - 0.5 * most);
 }

@@ -2,7 +2,7 @@
 // lines appear between old ones as the camera comes nearer, and other families cross them in the darks.
 uniform float crossFrom; // tone above which lines cross
 uniform vec4 layerTurns; // cosine and sine of the angle between a family and the next, and of half of the supplement of that angle
-uniform float sizedOnScreen; // 0: lines spaced on the object, 1: on the screen
+uniform float screenSpaceShare; // 0: lines spaced on the object, 1: on the screen
 uniform float lineContrast; // 1: lines; 0: an even grey of the same tone
 
 #include "technique/ruledLines"

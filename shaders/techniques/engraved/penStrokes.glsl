@@ -73,9 +73,9 @@ vec2 strokeOn(
   float taper = pen.open * TAPER;
   float rest = clamp((taper - inside) / max(taper, 1e-3), 0.0, 1.0);
   there *= clamp((born - fract(BIRTH_HASH * even)) / BIRTH, 0.0, 1.0);
-  float spread = 1.0 + handmade * WIDTH_SPREAD * pen.open * (fract(WIDTH_HASH * even) - 0.5);
+  float spread = 1.0 + irregularity * WIDTH_SPREAD * pen.open * (fract(WIDTH_HASH * even) - 0.5);
   float astray = LEANING * (gap - 0.5) * way + BENDING * (chance - 0.5) * (0.5 - way * way);
-  return vec2(pen.width * there * spread * (1.0 - rest * rest), handmade * pen.open * astray);
+  return vec2(pen.width * there * spread * (1.0 - rest * rest), irregularity * pen.open * astray);
 }
 
 // The share of the first axis on a line: lines change from one axis to the other one by one.

@@ -42,7 +42,7 @@ HatchingParameters readHatchingParameters() {
   h.pressure = handPressure(waves);
   #if MEDIUM != MEDIUM_PEN && MEDIUM != MEDIUM_WOODCUT
     // Strokes and cuts have variations of their own.
-    h.pressure += handmade * WIDTH_WAVE * waves.z;
+    h.pressure += irregularity * WIDTH_WAVE * waves.z;
   #endif // MEDIUM
   h.firstShare = 1.0;
   h.values = vec2(formValueAt(first, stray), formValueAt(crossing, stray));

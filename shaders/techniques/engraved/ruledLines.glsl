@@ -9,7 +9,7 @@ uniform float lineSpacing; // pixels between lines, or 256ths of a tile
 #else
   #define WANTED_SPACING lineSpacing
 #endif // TONE_MODEL
-uniform float finestSpacing; // pixels: where lines would lie closer, every other one is left out, so that they do not shimmer
+uniform float minLineSpacing; // pixels: where lines would lie closer, every other one is left out, so that they do not shimmer
 
 // Width over which the edge of a line fades, pixels.
 #define FRINGE 0.5
@@ -65,7 +65,7 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   float perPixel = clamp(family.perPixel, trianglePerPixel / MOST_OFF_TRIANGLE, trianglePerPixel * MOST_OFF_TRIANGLE);
   float onObject = octaves(WANTED_SPACING / PARTS_OF_TILE * family.rise);
   float onScreen = octaves(WANTED_SPACING * perPixel);
-  float octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing * perPixel));
+  float octave = max(mix(onObject, onScreen, screenSpaceShare), octaves(minLineSpacing * perPixel));
   #if MEDIUM == MEDIUM_WOODCUT
     octave += rowOctaves(ROW_TONE);
   #endif // MEDIUM

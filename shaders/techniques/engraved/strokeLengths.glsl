@@ -30,7 +30,7 @@ Along alongLines(const in HatchingParameters h, const in Family family) {
   float perPixel = mix(
     crossed(screenGradient(second, h.onScreen), value), crossed(screenGradient(first, h.onScreen), value), along.share
   );
-  float octave = mix(octaves(strokeLength / PARTS_OF_TILE), octaves(strokeLength * max(perPixel, 1e-12)), sizedOnScreen);
+  float octave = mix(octaves(strokeLength / PARTS_OF_TILE), octaves(strokeLength * max(perPixel, 1e-12)), screenSpaceShare);
   float whole = ceil(octave - 0.5);
   along.period = powerOf2(whole);
   along.longer = smoothstep(1.0 - LENGTHS_FADE, 1.0, octave - whole + 0.5);

@@ -193,7 +193,7 @@ function tellPictures(
       `${name} has surfaces that are cut out by pictures in ${formats}, which are not read here; save them as PNG.`,
     );
   materials.forEach(dropEmptyPictures);
-  const showsColours = materials.some(({ localTone, colorFill }) => localTone > 0 || colorFill > 0);
+  const showsColours = materials.some(({ colorHatching, colorFill }) => colorHatching > 0 || colorFill > 0);
   if (!showsColours) return true;
   if (formats !== '')
     note(`${name} is drawn without its pictures in ${formats}, which are not read here; save them as PNG.`);

@@ -43,7 +43,7 @@ export const STIPPLE_CONSTANTS = {
   /** Dots stay round on surfaces whose cosine to the viewer is above this; beyond, they are foreshortened. */
   LEAST_ROUND: 0.33,
 
-  /** Dots at half tone along each side of a tile, at a `sizedOnScreen` of 0. */
+  /** Dots at half tone along each side of a tile, at a `screenSpaceShare` of 0. */
   DOTS_PER_TILE: 64,
   /** The diameter of a dot at half tone as a share of the distance between dots: 0.8² π/4 is one half. */
   DOT_SHARE: 0.8,

@@ -238,7 +238,7 @@ function addPlace(
   const count = Math.max(1, Math.min(samples.count, Math.round(MAX_SAMPLES * share)));
   const isHalfLambert = material.toneModel === 'halfLambert';
   const emitted = luminanceOf(material);
-  const lightnessAt = material.localTone > 0 ? lightnessOf(material, samples) : () => 1;
+  const lightnessAt = material.colorHatching > 0 ? lightnessOf(material, samples) : () => 1;
   const determinant = Math.abs(toWorld.determinant());
   toWorldNormal.getNormalMatrix(toWorld);
   for (let i = 0; i < count; i++) {

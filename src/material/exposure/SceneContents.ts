@@ -149,7 +149,7 @@ export class SceneContents {
     this.note(material.emissiveIntensity);
     this.noteColor(material.emissive);
     this.note(material.emissiveMap?.id ?? -1);
-    this.note(Number(material.localTone > 0));
+    this.note(Number(material.colorHatching > 0));
     this.note(Number(material.vertexColors));
     this.noteColor(material.color);
     this.noteMap(material.map);

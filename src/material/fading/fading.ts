@@ -9,7 +9,7 @@ type Uniforms = Record<string, IUniform>;
 /** The properties that decide how much weight the drawing has where: those of a HatchingMaterial. */
 export type FadingLook = Pick<
   HatchingMaterialProperties,
-  'technique' | 'depthFade' | 'depthNear' | 'depthFar' | 'focus' | 'focusRadius' | 'vignette'
+  'technique' | 'depthFade' | 'depthFadeStart' | 'depthFadeEnd' | 'focus' | 'focusRadius' | 'vignette'
 > & { readonly extent: SceneExtent | null };
 
 /** The uniforms of shaders/chunks/fading.glsl. */
@@ -60,7 +60,7 @@ export function writeFading(look: FadingLook | null, u: Uniforms, renderer?: Web
  * @param seen the depth range of the scene; null if it was not measured: depths are then in view units
  */
 export function writeDepthFading(
-  { depthFade, depthNear, depthFar }: FadingLook,
+  { depthFade, depthFadeStart, depthFadeEnd }: FadingLook,
   seen: Readonly<SeenDepths> | null,
   camera: Camera | undefined,
   fading: Vector3,
@@ -68,9 +68,9 @@ export function writeDepthFading(
   const strength = depthFade !== 'auto' ? depthFade : seen && camera ? automaticDepthFade(seen, camera) : 0;
   const start = seen ? seen.front : 0;
   const unit = seen ? seen.back - seen.front : 1;
-  const near = start + unit * depthNear;
+  const near = start + unit * depthFadeStart;
   // A fade of length 0 is a step; the least length avoids a division by 0.
-  fading.set(near, Math.max(start + unit * depthFar, near + 1e-6), strength);
+  fading.set(near, Math.max(start + unit * depthFadeEnd, near + 1e-6), strength);
 }
 
 /**

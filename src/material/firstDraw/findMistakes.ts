@@ -153,7 +153,7 @@ export function findStrokeMistakes(draws: readonly FirstDraw[], note: NoteMistak
   let model: Sphere | undefined;
   for (const draw of draws) {
     const { material, scene } = draw;
-    const onScreen = counts(material, 'sizedOnScreen') ? material.sizedOnScreen : 0;
+    const onScreen = counts(material, 'screenSpaceShare') ? material.screenSpaceShare : 0;
     if (onScreen === 0) {
       model ??= hatchedMeshes(scene);
       checkOnObject(draw, model, note);
@@ -163,12 +163,12 @@ export function findStrokeMistakes(draws: readonly FirstDraw[], note: NoteMistak
 
 function checkOnObject(draw: FirstDraw, model: Sphere, note: NoteMistake): void {
   const { material, mesh } = draw;
-  const tilesPerUnit = material.tilesPerUnit as number;
+  const tilesPerObjectUnit = material.tilesPerObjectUnit as number;
   const scale = mesh.matrixWorld.getMaxScaleOnAxis();
-  const tile = scale / tilesPerUnit;
+  const tile = scale / tilesPerObjectUnit;
   const forModel = (SUITABLE.tilesPerRadius / model.radius) * scale;
   const say = (mistake: 'tooFine' | 'tooCoarse', suitable: number): void =>
-    note(mistake, draw, material, 'tilesPerUnit', rounded(tilesPerUnit), rounded(suitable));
+    note(mistake, draw, material, 'tilesPerObjectUnit', rounded(tilesPerObjectUnit), rounded(suitable));
   const length = counts(material, 'lineSpacing') ? (material.lineSpacing as number) * SPACING_UNIT : LONGEST_STROKE;
   // Strokes as long as the model are plausible; those of twice its diameter are a mistake.
   if (tile * length > 4 * model.radius) say('tooCoarse', forModel);
@@ -178,7 +178,7 @@ function checkOnObject(draw: FirstDraw, model: Sphere, note: NoteMistake): void 
   const coarsest = map.size >> (map.levels - 1);
   const width = (tile * pixelsPerUnit(draw) * map.strokeTexels) / coarsest;
   // A distant model needs larger strokes than one that fills the picture.
-  if (width < TOO_THIN) say('tooFine', Math.min(forModel, (tilesPerUnit * width) / SUITABLE.strokeWidth));
+  if (width < TOO_THIN) say('tooFine', Math.min(forModel, (tilesPerObjectUnit * width) / SUITABLE.strokeWidth));
 }
 
 function checkOnScreen(draw: FirstDraw, note: NoteMistake): void {

@@ -13,6 +13,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { ACCENT_STEPS, OUTLINE_CONSTANTS } from '../../look/constants/outlineConstants.js';
+import { constantCase } from '../../look/HatchingProperty.js';
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
 import {
   BORDER,
@@ -106,7 +107,7 @@ export type HatchingOutlineParameters = MaterialParameters &
 
 /**
  * The material of `HatchingOutlines`. It uses the lights, fog and clipping planes of the scene. Every property may be set at any time
- * and takes effect in the next frame; `wobble` and `tooth` compile another program when they change between 0 and more than 0. Several
+ * and takes effect in the next frame; `wobble` and `paperGrain` compile another program when they change between 0 and more than 0. Several
  * `HatchingOutlines` may share one material.
  */
 export class HatchingOutlineMaterial extends ShaderMaterial {
@@ -155,9 +156,9 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /** How far outlines are drawn beyond the corners of creases and borders, in CSS pixels, 0 or more. Default 0. */
   declare overshoot: number;
   /** How strongly the tooth of the paper breaks outlines up, from 0 (ink, the default) to 1. See docs/media.md. */
-  declare tooth: number;
+  declare paperGrain: number;
   /** Size of the bumps of the paper, in CSS pixels, above 0. Default 2.5. */
-  declare toothSize: number;
+  declare paperGrainSize: number;
   /** Colour of the outlines. Default black. */
   ink: Color = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
   /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.7, 1.7). */
@@ -177,7 +178,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     super();
     defineOutlineNumbers(this, 'HatchingOutlineMaterial', (name, value) => {
       // The define is set at once, so that `renderer.compile` compiles the program that frames use.
-      if (name === 'wobble' || name === 'tooth') this.setDefine(name.toUpperCase(), value > 0);
+      if (name === 'wobble' || name === 'paperGrain') this.setDefine(constantCase(name), value > 0);
     });
     this.uniforms = createOutlineUniforms();
     Object.assign(this, outlineShaders());
@@ -240,7 +241,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
    */
   writeUniforms(isDeformed: boolean, hasMaterials: boolean, pixelRatio = 1): void {
     writeOutlineLook(this, this.uniforms, pixelRatio);
-    if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
+    if (this.paperGrain > 0) this.uniforms.toothMap.value = toothMap();
     this.writeMesh(isDeformed, hasMaterials);
     this.uniformsNeedUpdate = true;
   }

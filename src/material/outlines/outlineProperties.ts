@@ -14,8 +14,8 @@ export const HATCHING_OUTLINE_DEFAULTS = {
   taper: 0.8,
   wobble: 0,
   overshoot: 0,
-  tooth: 0,
-  toothSize: 2.5,
+  paperGrain: 0,
+  paperGrainSize: 2.5,
   ink: 0x000000,
   shadeWeights: [0.7, 1.7],
   hidden: 'none',
@@ -35,8 +35,8 @@ export const OUTLINE_NUMBERS = {
   taper: { from: 0 },
   wobble: { from: 0 },
   overshoot: { from: 0 },
-  tooth: { from: 0, to: 1 },
-  toothSize: { above: 0 },
+  paperGrain: { from: 0, to: 1 },
+  paperGrainSize: { above: 0 },
 } as const satisfies Partial<Record<keyof typeof HATCHING_OUTLINE_DEFAULTS, NumberRange>>;
 
 export type OutlineNumberName = keyof typeof OUTLINE_NUMBERS;
@@ -46,7 +46,7 @@ export const OUTLINE_SIZES = [
   'outlineWidth',
   'wobble',
   'overshoot',
-  'toothSize',
+  'paperGrainSize',
 ] as const satisfies OutlineNumberName[];
 
 /** The sizes in `look` multiplied by `factor`: for a picture `factor` times as wide at the same pixel ratio. */

@@ -39,7 +39,8 @@ export const part: MaterialPart = {
     const contrast = lineContrast(geometry);
     const isOther = contrast !== uniforms.lineContrast.value;
     if (isOther) uniforms.lineContrast.value = contrast;
-    if (writeFieldFrame(uniforms, material.tilesPerUnit, geometry, object) || isOther) material.ofMesh.want(renderer);
+    if (writeFieldFrame(uniforms, material.tilesPerObjectUnit, geometry, object) || isOther)
+      material.ofMesh.want(renderer);
     if (hasOtherFormAngle(geometry, material) && followsForm(material)) noteFormAngle(geometry, material);
     return undefined;
   },

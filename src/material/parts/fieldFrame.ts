@@ -10,7 +10,7 @@ interface FieldFrame {
   /** Whether the matrix can be inverted. */
   isUsable: boolean;
   /** The tiles per unit of object space that the matrices below were computed for; 0 before that. */
-  tilesPerUnit: number;
+  tilesPerObjectUnit: number;
   /** To the frame, in tiles. */
   readonly linear: Matrix3;
   /** The inverse transpose of `linear`, for normals. */
@@ -21,7 +21,7 @@ interface FieldFrame {
 const newFrame = (): FieldFrame => ({
   elements: Float64Array.from(matrix.identity().elements),
   isUsable: true,
-  tilesPerUnit: 0,
+  tilesPerObjectUnit: 0,
   linear: new Matrix3(),
   normal: new Matrix3(),
   origin: new Vector3(),
@@ -36,17 +36,17 @@ const frames = /* @__PURE__ */ new WeakMap<readonly number[], FieldFrame>();
  * Writes the origin and the frame of the lines of `engraved` on a mesh: the frame that `applyHatching` gave to the whole scene, or else
  * that of the object, with the centre of its bounding sphere as origin. Allocates nothing for a frame that is cached.
  *
- * @param tilesPerUnit tiles per unit of object space
+ * @param tilesPerObjectUnit tiles per unit of object space
  * @returns whether anything changed, in which case three must upload these uniforms again: by default it does so once for all meshes
  */
 export function writeFieldFrame(
   uniforms: Record<string, IUniform>,
-  tilesPerUnit: number,
+  tilesPerObjectUnit: number,
   geometry: BufferGeometry,
   { userData }: Object3D,
 ): boolean {
   const frame = sharedFrame(userData[FIELD_FRAME]) ?? frameOfObject(geometry);
-  if (frame.tilesPerUnit !== tilesPerUnit) scale(frame, tilesPerUnit);
+  if (frame.tilesPerObjectUnit !== tilesPerObjectUnit) scale(frame, tilesPerObjectUnit);
   const { linear, normal, origin } = frame;
   const { fieldOrigin, objectToField, objectToFieldNormal } = uniforms as {
     fieldOrigin: IUniform<Vector3>;
@@ -93,11 +93,11 @@ function read(frame: FieldFrame, given: readonly number[]): void {
   frame.elements.set(given);
   frame.isUsable = given.every(Number.isFinite) && matrix.fromArray(given).determinant() !== 0;
   if (frame.isUsable) frame.origin.setFromMatrixPosition(matrix.invert());
-  frame.tilesPerUnit = 0;
+  frame.tilesPerObjectUnit = 0;
 }
 
-function scale(frame: FieldFrame, tilesPerUnit: number): void {
-  frame.linear.setFromMatrix4(matrix.fromArray(frame.elements)).multiplyScalar(tilesPerUnit);
+function scale(frame: FieldFrame, tilesPerObjectUnit: number): void {
+  frame.linear.setFromMatrix4(matrix.fromArray(frame.elements)).multiplyScalar(tilesPerObjectUnit);
   frame.normal.copy(frame.linear).invert().transpose();
-  frame.tilesPerUnit = tilesPerUnit;
+  frame.tilesPerObjectUnit = tilesPerObjectUnit;
 }

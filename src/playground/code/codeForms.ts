@@ -157,7 +157,7 @@ const floor = await applyHatching(ground, {
   preset: scalePreset(look, share),
   outlines: false,
   material: { color: '${settings.color}'${when(ground === 'shadow', `, ${shadow.join(', ')}`)}, tonalArtMap },
-  tilesPerWorldUnit: ${round(material.tilesPerUnit ?? 1)},
+  tilesPerWorldUnit: ${round(material.tilesPerObjectUnit ?? 1)},
 });
 floor.materials[0].extent = extent;\n`;
   const { spacing = 0, ...look } = background ?? {};

@@ -54,19 +54,19 @@ function nearestPreset(settings: Settings, isPlaced: boolean) {
   const look: HatchingLook = material;
   // The model and its place in the scene are others elsewhere. Two settings have values by which nothing is set.
   const isOwn = (name: HatchingPropertyName) =>
-    !(isPlaced ? /^color$|^tilesPerUnit$/ : /^color$|^tilesPerUnit$|^focus/).test(name) &&
+    !(isPlaced ? /^color$|^tilesPerObjectUnit$/ : /^color$|^tilesPerObjectUnit$|^focus/).test(name) &&
     !(name === 'toneNormal' ? look[name] === 'auto' : name === 'occlusion' && look[name] === 0);
   const names = (Object.keys(look) as HatchingPropertyName[]).filter((name) => counts(look, name) && isOwn(name));
   const own = Object.fromEntries(names.map((name) => [name, look[name]]));
   // `scalePreset` scales sizes that are named.
   const unnamed = names.filter((name) => !isPlaced || pixelPower(look, name) === 0);
   const defaults = unnamed.map((name) => [name, defaultOf(name, look.technique as HatchingTechnique)]);
-  const { tooth, toothSize } = outlines;
+  const { paperGrain, paperGrainSize } = outlines;
   const ways = PRESET_NAMES.map((preset) => {
     const base = presets[preset];
     // Another technique would warn of what it does not use.
     const isBase = base.material.technique === look.technique;
-    const lines = { ...HATCHING_OUTLINE_DEFAULTS, ...base.outlines, ...(tooth === 0 && { toothSize }) };
+    const lines = { ...HATCHING_OUTLINE_DEFAULTS, ...base.outlines, ...(paperGrain === 0 && { paperGrainSize }) };
     return {
       preset,
       isBase,
@@ -96,7 +96,7 @@ function mapSource(style: Settings['mapStyle'], numbers: Values): string {
  */
 export function lookSample(settings: Settings, root: string, { radius = 1, share = '', isOpen = false }): string {
   const { preset, isBase, material, outlines, map } = nearestPreset(settings, share !== '');
-  const { tilesPerUnit = 1 } = codeLook(settings).material;
+  const { tilesPerObjectUnit = 1 } = codeLook(settings).material;
   const paper = { color: 'white', map: null, vertexColors: false };
   const colors = settings.surfaceColors === 'paper' ? paper : {};
   const own = [...entries({ ...material, ...colors }), ...(isOpen ? ['side: DoubleSide'] : [])];
@@ -112,7 +112,7 @@ export function lookSample(settings: Settings, root: string, { radius = 1, share
 };
 const hatching = await applyHatching(${root}, {
   preset: ${share ? `scalePreset(look, ${share})` : 'look'},${when(settings.outlines === 'off', '\n  outlines: false,')}
-  tilesPerWorldUnit: ${Number((tilesPerUnit / radius).toPrecision(3))}, // tiles of strokes per unit of the world
+  tilesPerWorldUnit: ${Number((tilesPerObjectUnit / radius).toPrecision(3))}, // tiles of strokes per unit of the world
 });${when(settings.color !== '#ffffff', tint)}${when(settings.occlusion, `\nawait bakeOcclusion(${root});`)}`;
 }
 

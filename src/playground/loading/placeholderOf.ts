@@ -55,7 +55,7 @@ function unbaked(
   triangles: number,
   outline: Float32Array,
 ): HatchedModel {
-  const material = new HatchingMaterial({ tilesPerUnit: 1, ...parameters });
+  const material = new HatchingMaterial({ tilesPerObjectUnit: 1, ...parameters });
   const drawn = new Mesh(geometry, material);
   // Measuring whether the only object is in view would gain nothing.
   drawn.frustumCulled = false;

@@ -225,7 +225,7 @@ export class Session {
 
   private get look(): Look {
     const { settings, mapLoader } = this;
-    return lookOf({ ...settings, tilesPerUnit: settings.tilesPerUnit * mapLoader.tileScale });
+    return lookOf({ ...settings, tilesPerObjectUnit: settings.tilesPerObjectUnit * mapLoader.tileScale });
   }
 
   private mapShown(): void {

@@ -71,7 +71,7 @@ export interface EngravedHandOptions {
 /** Properties of materials and outlines. */
 export interface EngravedHand {
   /** Properties of a `HatchingMaterial` with `technique: 'engraved'`. */
-  material: { handmade: number; strokeLength: number; crossFrom: number; crossAngle?: number };
+  material: { irregularity: number; strokeLength: number; crossFrom: number; crossAngle?: number };
   /** Properties of outlines. */
   outlines: { taper: number; accents: number; wobble: number };
 }
@@ -123,7 +123,7 @@ export function engravedHand(
   const isCrossed = numbers.crossingAngle !== 0 && numbers.crossingFrom < 1;
   return {
     material: {
-      handmade: (shares[0] + shares[1] + shares[2]) / 3,
+      irregularity: (shares[0] + shares[1] + shares[2]) / 3,
       strokeLength: lineSpacing * clamp(length / spacing, SHORTEST, LONGEST),
       crossFrom: isCrossed ? numbers.crossingFrom : 1,
       ...(isCrossed && { crossAngle: (Math.abs(numbers.crossingAngle) * Math.PI) / 180 }),

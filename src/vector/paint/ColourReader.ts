@@ -85,7 +85,7 @@ export class ColourReader {
     const light = look.lightMap ? this.sample(look.lightMap, numbers, footprint, reading) : NO_LIGHT;
     const occlusion = this.sample(look.aoMap, numbers, footprint, reading)[0];
     return {
-      darkness: localDarkness(luminance(tint(0), tint(1), tint(2)), emitted, look.localTone, look.colorExposure),
+      darkness: localDarkness(luminance(tint(0), tint(1), tint(2)), emitted, look.colorHatching, look.colorExposure),
       emitted,
       around: (look.lightMapIntensity * luminance(light[0], light[1], light[2])) / Math.PI,
       open: 1 - look.aoMapIntensity * (1 - occlusion),

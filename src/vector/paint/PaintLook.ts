@@ -36,7 +36,7 @@ export interface PaintLook extends Readonly<Record<ToneMap, MapLook | null>> {
   /** Emissive colour. */
   emissive: Vec3;
   /** The share of the colour's darkness that becomes tone, and the factor on its lightness. */
-  localTone: number;
+  colorHatching: number;
   colorExposure: number;
   /** Offset of the vertex colour (red, green, blue, alpha) in the details of a vertex; null for none. */
   vertexColor: number | null;

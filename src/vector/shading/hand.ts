@@ -25,14 +25,15 @@ export function slowWaves([px, py, pz]: Vec3): Vec3 {
   ];
 }
 
-/** A point, displaced by the hand, tiles. handmade: from 0, lines as by a ruling machine, to 1. */
-export function handPoint([x, y, z]: Vec3, waves: Vec3, handmade: number): Vec3 {
-  const stray = handmade * STRAY;
+/** A point, displaced by the hand, tiles. irregularity: from 0, lines as by a ruling machine, to 1. */
+export function handPoint([x, y, z]: Vec3, waves: Vec3, irregularity: number): Vec3 {
+  const stray = irregularity * STRAY;
   return [x + stray * waves[0], y + stray * waves[1], z + stray * waves[2]];
 }
 
 /** Pressure varies along a line, within [−0.3, 0.3]. */
-export const handPressure = (waves: Vec3, handmade: number): number => handmade * PRESSURE * waves[0] * waves[1];
+export const handPressure = (waves: Vec3, irregularity: number): number =>
+  irregularity * PRESSURE * waves[0] * waves[1];
 
 /** A tone, changed by a pressure. Blank stays blank, and solid solid. */
 export const handTone = (pressure: number, tone: number): number => tone + pressure * tone * (1 - tone);
@@ -66,5 +67,5 @@ export const hash01 = (line: number): number => hashBy(HASH_FACTORS.THUE_MORSE, 
 export const turnOf = (line: number): number => (line === 0 ? 0 : hashBy(HASH_FACTORS.ONE_THIRD, line));
 
 /** A factor on the width of a whole line; 1 in the mean. */
-export const handWidth = (line: number, handmade: number): number =>
-  1 + handmade * (WIDTHS * hash01(line) - 0.5 * WIDTHS);
+export const handWidth = (line: number, irregularity: number): number =>
+  1 + irregularity * (WIDTHS * hash01(line) - 0.5 * WIDTHS);

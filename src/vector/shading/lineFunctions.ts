@@ -45,15 +45,20 @@ export interface CutReading {
 }
 
 /** @param place and `normal`, unit, in field space */
-export function readCut({ field, sideB, sideC }: CutFamilies, place: Vec3, normal: Vec3, handmade: number): CutReading {
+export function readCut(
+  { field, sideB, sideC }: CutFamilies,
+  place: Vec3,
+  normal: Vec3,
+  irregularity: number,
+): CutReading {
   const waves = slowWaves(place);
-  const point = handPoint(place, waves, handmade);
+  const point = handPoint(place, waves, irregularity);
   const { value, gradient } = fieldAt(field, point);
   const slope = Math.max(lengthOf(cross(normal, gradient)), 1e-6);
   const firstShare = smoothstep(BARE_SLOPE[0], BARE_SLOPE[1], slope);
   const between = (dot(normal, sideC) ** 2 - dot(normal, sideB) ** 2) / Math.max(slope * slope, 1e-4);
   const shareB = 1 + firstShare * (smoothstep(-SIDE_FADE, SIDE_FADE, between) - 1);
-  return { point, pressure: handPressure(waves, handmade), value, gradient, slope, firstShare, shareB };
+  return { point, pressure: handPressure(waves, irregularity), value, gradient, slope, firstShare, shareB };
 }
 
 const sideOf = ({ sideB, sideC }: CutFamilies, side: 'B' | 'C'): Vec3 => (side === 'B' ? sideB : sideC);
@@ -88,14 +93,14 @@ export const formVarying = (gradient: Vec3, value: number, place: Vec3): FormAt 
 export function readForm(
   { gradient, rest }: FormAt,
   place: Vec3,
-  handmade: number,
+  irregularity: number,
   isInk: boolean,
 ): { value: number; pressure: number } {
   const waves = slowWaves(place);
-  const stray = handPoint([0, 0, 0], waves, handmade);
+  const stray = handPoint([0, 0, 0], waves, irregularity);
   return {
     value: rest + dot(gradient, combined(0.5, place, 1, stray)),
     // Strokes and cuts have variations of their own.
-    pressure: handPressure(waves, handmade) + (isInk ? handmade * WIDTH_WAVE * waves[2] : 0),
+    pressure: handPressure(waves, irregularity) + (isInk ? irregularity * WIDTH_WAVE * waves[2] : 0),
   };
 }

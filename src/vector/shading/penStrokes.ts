@@ -28,7 +28,7 @@ export interface Pen {
   /** The width of a stroke in its middle, as a share of the room of a line. */
   width: number;
   /** From 0, lines as by a ruling machine, to 1. */
-  handmade: number;
+  irregularity: number;
   /** As in `numberOf`. */
   repeat: number;
 }
@@ -45,11 +45,11 @@ const thereAt = (tone: number, allFrom: number): number =>
   (rampSum(tone) - rampSum(Math.max(tone - allFrom, 0))) / allFrom;
 
 /** octave: of the spacing of lines. */
-export function penFor(tone: number, along: Along, handmade: number, repeat: number, octave: number): Pen {
+export function penFor(tone: number, along: Along, irregularity: number, repeat: number, octave: number): Pen {
   const allFrom = ALL_FROM * differing(octave, repeat);
   const open = Math.max(1 - tone / CLOSED_FROM, 0) ** 2;
   const width = tone / Math.max(thereAt(tone, allFrom) * (1 - LOST * open), 1e-4);
-  return { along, tone, open, allFrom, width: tone < allFrom ? Math.min(width, NIB) : width, handmade, repeat };
+  return { along, tone, open, allFrom, width: tone < allFrom ? Math.min(width, NIB) : width, irregularity, repeat };
 }
 
 /** The mean share of a line's length that strokes of one width cover: they have gaps, but do not taper. */
@@ -99,7 +99,7 @@ const latenessOf = (chance: number): number => LATENESS * fract(LATE_HASH * chan
 
 /** place: in lengths of strokes. born: the hash below which strokes exist. */
 function strokeOn(
-  { tone, open, allFrom, width, handmade }: Pen,
+  { tone, open, allFrom, width, irregularity }: Pen,
   born: number,
   place: number,
   line: PennedLine,
@@ -121,12 +121,12 @@ function strokeOn(
   const taper = open * TAPER;
   const rest = clamp01((taper - inside) / Math.max(taper, 1e-3));
   there *= clamp01((born - fract(BIRTH_HASH * even)) / BIRTH);
-  const spread = 1 + handmade * WIDTH_SPREAD * open * (fract(WIDTH_HASH * even) - 0.5);
+  const spread = 1 + irregularity * WIDTH_SPREAD * open * (fract(WIDTH_HASH * even) - 0.5);
   const astray = LEANING * (gap - 0.5) * way + BENDING * (chance - 0.5) * (0.5 - way * way);
   return {
     width: width * there * spread * (1 - rest * rest),
     presence: Math.min(there, clamp01(0.5 + 20 * inside)),
-    astray: handmade * open * line.sign * astray,
+    astray: irregularity * open * line.sign * astray,
   };
 }
 

@@ -39,9 +39,9 @@ export interface LineSpacing {
   /** Pixels, or 256ths of a tile. */
   lineSpacing: number;
   /** Pixels. */
-  finestSpacing: number;
+  minLineSpacing: number;
   /** 0: spaced on the object, 1: on the screen. */
-  sizedOnScreen: number;
+  screenSpaceShare: number;
 }
 
 /**
@@ -63,11 +63,11 @@ export function spacedBy(smooth: number, seen: number): number {
  * @param coarsest the octave of the widest spacing
  */
 export function octaveOf(spacing: LineSpacing, rise: number, perPixel: number, coarsest: number): number {
-  const { lineSpacing, finestSpacing, sizedOnScreen } = spacing;
+  const { lineSpacing, minLineSpacing, screenSpaceShare } = spacing;
   const onObject = octaves((lineSpacing / PARTS_OF_TILE) * Math.max(rise, 1e-12));
   const onScreen = octaves(lineSpacing * perPixel);
-  const wanted = onObject + sizedOnScreen * (onScreen - onObject);
-  return Math.min(Math.max(wanted, octaves(finestSpacing * perPixel)), coarsest);
+  const wanted = onObject + screenSpaceShare * (onScreen - onObject);
+  return Math.min(Math.max(wanted, octaves(minLineSpacing * perPixel)), coarsest);
 }
 
 /**

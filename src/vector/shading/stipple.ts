@@ -85,9 +85,9 @@ export const ownCover = (cover: number, share: number): number => 1 - (1 - cover
 export interface DotSize {
   /** The diameter at half tone, pixels. */
   dotPixels: number;
-  tilesPerUnit: number;
+  tilesPerObjectUnit: number;
   /** 0: spaced on the object, 1: on the screen. */
-  sizedOnScreen: number;
+  screenSpaceShare: number;
 }
 
 /**
@@ -96,12 +96,16 @@ export interface DotSize {
  * @param pixelArea object units² per pixel, above 0
  * @param own the share that the plane's dots cover alone
  */
-export function dotOctave(pixelArea: number, own: number, { dotPixels, tilesPerUnit, sizedOnScreen }: DotSize): number {
-  const onObject = Math.log2(tilesPerUnit * DOTS_PER_TILE);
+export function dotOctave(
+  pixelArea: number,
+  own: number,
+  { dotPixels, tilesPerObjectUnit, screenSpaceShare }: DotSize,
+): number {
+  const onObject = Math.log2(tilesPerObjectUnit * DOTS_PER_TILE);
   const onScreen = -0.5 * Math.log2(Math.max(pixelArea, 1e-30)) - Math.log2(dotPixels / DOT_SHARE);
   const least = Math.min(onObject, onScreen);
   const crowding = 0.5 * CROWDING * Math.log2(-Math.log2(1 - Math.max(own, LEAST_DENSE_SHARE)));
-  return least + sizedOnScreen * (onScreen - least) + crowding;
+  return least + screenSpaceShare * (onScreen - least) + crowding;
 }
 
 /** The layers of dots, and the distance between them. */
@@ -126,9 +130,9 @@ export const inLayer = (place: Vec3, layer: number, { shift }: DotLayers): Vec3 
   combined(1, place, layer * shift, TONE_CONSTANTS.LAYER_SHIFT);
 
 /** Offset of the set from the origin of a plane, object units along both of its axes. */
-export const setShift = (axis: Vec3, tilesPerUnit: number): readonly [number, number] => [
-  dot(axis, SET_SHIFT) / tilesPerUnit,
-  dot(axis, [SET_SHIFT[1], SET_SHIFT[2], SET_SHIFT[0]]) / tilesPerUnit,
+export const setShift = (axis: Vec3, tilesPerObjectUnit: number): readonly [number, number] => [
+  dot(axis, SET_SHIFT) / tilesPerObjectUnit,
+  dot(axis, [SET_SHIFT[1], SET_SHIFT[2], SET_SHIFT[0]]) / tilesPerObjectUnit,
 ];
 
 /** The mean area, as a share of the full one, of the dots that appear during an octave. */

@@ -26,7 +26,7 @@ export interface StrokeLength {
   /** Pixels, or 256ths of a tile. */
   strokeLength: number;
   /** 0: sized on the object, 1: on the screen. */
-  sizedOnScreen: number;
+  screenSpaceShare: number;
 }
 
 type Pair = readonly [number, number];
@@ -43,7 +43,7 @@ export function alongLines(
   normal: Vec3,
   gradient: Vec3,
   map: ScreenMap,
-  { strokeLength, sizedOnScreen }: StrokeLength,
+  { strokeLength, screenSpaceShare }: StrokeLength,
 ): Along {
   const direction = cross(normal, gradient);
   const size = Math.max(dot(direction, direction), 1e-20);
@@ -61,7 +61,7 @@ export function alongLines(
     crossed(screenGradient([Number(axis === 0), Number(axis === 1), Number(axis === 2)], map), value);
   const perPixel = mix(rateOf(second), rateOf(first), share);
   const onObject = octaves(strokeLength / PARTS_OF_TILE);
-  const octave = mix(onObject, octaves(strokeLength * Math.max(perPixel, 1e-12)), sizedOnScreen);
+  const octave = mix(onObject, octaves(strokeLength * Math.max(perPixel, 1e-12)), screenSpaceShare);
   const whole = Math.ceil(octave - 0.5);
   return {
     places: [place[first], place[second]],

@@ -39,7 +39,7 @@ export interface ToneLook {
   toneEnds: readonly [number, number];
   /** Strength of ambient occlusion, and tone of deep hollows. */
   occlusion: number;
-  hollowTone: number;
+  hollowStrength: number;
   /** Darkness of the surface's own colour, as far as it becomes tone. */
   darkness: number;
 }
@@ -66,9 +66,9 @@ export const openToLights = (occluded: number, occlusion: number): number =>
 
 /** The printed tone of a radiance at a place, by its occlusion, in [0, 1]. */
 export function shadedTone(radiance: number, occluded: number, look: ToneLook): number {
-  const { exposure, toneEnds, darkness, hollowTone, occlusion } = look;
+  const { exposure, toneEnds, darkness, hollowStrength, occlusion } = look;
   const tone = mix(toneFromRadiance(exposure[0] * radiance + exposure[1], look), toneEnds[1], darkness);
-  const hollowness = hollowTone * occlusion * smoothstep(HOLLOW[0], HOLLOW[1], occluded);
+  const hollowness = hollowStrength * occlusion * smoothstep(HOLLOW[0], HOLLOW[1], occluded);
   // Hollows go to full ink, or with light ink to bare paper.
   return mix(tone, toneEnds[1] >= toneEnds[0] ? 1 : 0, hollowness);
 }
@@ -78,5 +78,9 @@ export function shadedTone(radiance: number, occluded: number, look: ToneLook): 
  *
  * @param luminance of the colour, and `emitted` of the emitted light, both linear
  */
-export const localDarkness = (luminance: number, emitted: number, localTone: number, colorExposure: number): number =>
-  localTone * (1 - Math.min(colorExposure * lightness(clamp01(luminance)), 1)) * (1 - clamp01(emitted));
+export const localDarkness = (
+  luminance: number,
+  emitted: number,
+  colorHatching: number,
+  colorExposure: number,
+): number => colorHatching * (1 - Math.min(colorExposure * lightness(clamp01(luminance)), 1)) * (1 - clamp01(emitted));

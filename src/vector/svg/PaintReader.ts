@@ -74,12 +74,12 @@ export class PaintReader {
       return texture && this.look(texture, first + 2 * channels.indexOf(texture.channel));
     };
     const hatched = 'isHatchingMaterial' in material ? (material as HatchingMaterial) : null;
-    const { emissive, emissiveIntensity = 0, localTone = 0 } = hatched ?? {};
+    const { emissive, emissiveIntensity = 0, colorHatching = 0 } = hatched ?? {};
     return {
       color: material.color ? (material.color.toArray() as unknown as Vec3) : [1, 1, 1],
       opacity: isBlended(material) ? 1 : material.opacity,
       emissive: emissive ? (emissive.toArray().map((x) => x * emissiveIntensity) as unknown as Vec3) : [0, 0, 0],
-      localTone,
+      colorHatching,
       colorExposure: hatched && isFitted(hatched) ? 1 / this.fit.white : 1,
       vertexColor: hasColors ? first + 2 * channels.length : null,
       ...(Object.fromEntries(TONE_MAPS.map((name) => [name, look(name)])) as Record<ToneMap, MapLook | null>),
@@ -124,7 +124,8 @@ export class PaintReader {
   /** Whether the colour or the alpha of a surface has any effect. */
   private heedsColor(material: Painted): boolean {
     return (
-      alphaTestOf(material) > 0 || ('isHatchingMaterial' in material && (material as HatchingMaterial).localTone > 0)
+      alphaTestOf(material) > 0 ||
+      ('isHatchingMaterial' in material && (material as HatchingMaterial).colorHatching > 0)
     );
   }
 

@@ -27,7 +27,7 @@ export function fieldOf({ engraved, material, frame, surface }: LaidSurface, lam
   if (followsForm(lineField)) return null;
   const light = fieldLight(lampsIn(frame, lamps));
   if (runsAway(material)) return awayField(light.axis, leaningOf(surface));
-  return firstField(lineField, light, material.strokeRotation);
+  return firstField(lineField, light, material.strokeAngle);
 }
 
 /** The sum of the normals' absolute components along each axis of the field. */
@@ -83,7 +83,7 @@ export function turnedLinesOf(laid: LaidSurface, lamps: readonly Lamp[]): Turned
     const light = isAll(shadows)
       ? { axis: across(fieldLight(lampsIn(frame, lamps)).axis), bend: 0 }
       : fieldLight(lampsIn(frame, arriving));
-    turned.push({ shadows, engraved, field: firstField(lineField, light, material.strokeRotation) });
+    turned.push({ shadows, engraved, field: firstField(lineField, light, material.strokeAngle) });
   }
   return turned;
 }

@@ -42,21 +42,21 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
  * @param hasForm whether the geometry was prepared with its form
  */
 export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
-  const { lineSpacing, finestSpacing, crossFrom } = uniformsOf(material);
+  const { lineSpacing, minLineSpacing, crossFrom } = uniformsOf(material);
   const { medium, lineField, shadowStrokes } = resolveLook(material, hasForm);
-  const { strokeLength, crossAngle, handmade, sizedOnScreen, shadowSpacing, toneModel } = material;
+  const { strokeLength, crossAngle, irregularity, screenSpaceShare, shadowSpacing, toneModel } = material;
   return {
     lineField,
     medium: medium === 'pen' || medium === 'woodcut' ? medium : 'ink',
     strokeLength,
     spacing: {
       lineSpacing: lineSpacing.value * (toneModel === 'shadow' ? shadowSpacing : 1),
-      finestSpacing: finestSpacing.value,
-      sizedOnScreen,
+      minLineSpacing: minLineSpacing.value,
+      screenSpaceShare,
     },
     crossFrom: crossFrom.value,
     crossAngle,
-    handmade,
+    irregularity,
     crossesInShadows: shadowStrokes === 'cross',
   };
 }
@@ -75,8 +75,8 @@ export function surfaceLookOf(
   fading: ObjectFading | null,
 ): SurfaceLook {
   const uniforms = uniformsOf(material);
-  const { color, emissive, emissiveIntensity, localTone, toneModel, toneCurve } = material;
-  const { shininess, reflectedLight, occlusion, hollowTone, toneSteps, exposureCompensation } = material;
+  const { color, emissive, emissiveIntensity, colorHatching, toneModel, toneCurve } = material;
+  const { shininess, reflectedLight, occlusion, hollowStrength, toneSteps, exposureCompensation } = material;
   const emitted = emissiveIntensity * luminanceOf(emissive);
   const isFit = isFitted(material);
   const exposure = uniforms.exposure.value as Vector2;
@@ -88,9 +88,10 @@ export function surfaceLookOf(
     highlightRamp: (uniforms.highlightRamp.value as Vector2).toArray() as [number, number],
     toneEnds: (uniforms.toneEnds.value as Vector2).toArray() as [number, number],
     occlusion,
-    hollowTone,
+    hollowStrength,
     ground: toneModel === 'shadow' ? groundOf(material) : null,
-    darkness: localTone > 0 ? localDarkness(luminanceOf(color), emitted, localTone, isFit ? 1 / fit.white : 1) : 0,
+    darkness:
+      colorHatching > 0 ? localDarkness(luminanceOf(color), emitted, colorHatching, isFit ? 1 / fit.white : 1) : 0,
     opacity: opacityOf(material, geometry),
     ...{ shininess, reflectedLight, emitted, receivesShadows, fading },
   };

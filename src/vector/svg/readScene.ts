@@ -302,7 +302,7 @@ class SceneReader {
     }
     const parts = outlineParts.of(mesh, data);
     if (parts.length === 0) return;
-    if (material.tooth > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
+    if (material.paperGrain > 0) this.note(mesh, 'has outlines of ink: the tooth of the paper cannot leave as lines');
     for (const { copy, posed } of copies)
       for (const { data: ofPart, surface } of parts)
         this.outlines.push({

@@ -153,14 +153,14 @@ export function* readStippled(
   worldToView: Matrix4,
   seen: number,
 ): Generator<number, Pick<StippledSurface, 'surface' | 'size' | 'set' | 'layers'>, void> {
-  const { tilesPerUnit, strokeWidth, sizedOnScreen, strokeLayers, anchorSpacing, crossFrom } = material;
+  const { tilesPerObjectUnit, strokeWidth, screenSpaceShare, strokeLayers, latticeSpacing, crossFrom } = material;
   const frame = objectFrame(source.mesh, source.copy.toWorld, worldToView);
   const surface = yield* readSurface(source, range, frame, seen);
   return {
     surface,
     // If no stroke width is known, dots are one pixel wide, as the material draws them.
-    size: { dotPixels: strokeWidth ?? 1, tilesPerUnit, sizedOnScreen },
-    layers: { shift: anchorSpacing / tilesPerUnit, crossFrom: strokeLayers === 'tone' ? crossFrom : null },
+    size: { dotPixels: strokeWidth ?? 1, tilesPerObjectUnit, screenSpaceShare },
+    layers: { shift: latticeSpacing / tilesPerObjectUnit, crossFrom: strokeLayers === 'tone' ? crossFrom : null },
     set: { cells: STIPPLE_MAP_SIZE, texels: (stippleMap().image.data as Uint8Array).slice() },
   };
 }

@@ -38,7 +38,7 @@ export const objectFrame = (mesh: Mesh, toWorld: Matrix4, worldToView: Matrix4):
 export function surfaceFrame(
   mesh: Mesh,
   toWorld: Matrix4,
-  { tilesPerUnit, strokeAnchor }: HatchingMaterial,
+  { tilesPerObjectUnit, strokeAnchor }: HatchingMaterial,
   { lineField }: EngravedLook,
   worldToView: Matrix4,
 ): SurfaceFrame {
@@ -46,7 +46,7 @@ export function surfaceFrame(
   const [fieldOrigin, objectToField, objectToFieldNormal] = [frame.fieldOrigin, frame.toField, frame.normalToField].map(
     (value) => ({ value }),
   );
-  writeFieldFrame({ fieldOrigin, objectToField, objectToFieldNormal }, tilesPerUnit, mesh.geometry, mesh);
+  writeFieldFrame({ fieldOrigin, objectToField, objectToFieldNormal }, tilesPerObjectUnit, mesh.geometry, mesh);
   // Lines that follow the form are fixed to the surface at rest, whatever `strokeAnchor` is.
   const isCutAsPosed = strokeAnchor === 'deformed' && !followsForm(lineField);
   const firstBone = isCutAsPosed ? null : firstBoneOf(mesh);

@@ -188,7 +188,7 @@ export class HatchedModel {
       for (const [i, surface] of surfaces.entries()) {
         for (const [kind, { materials }] of this.kinds()) {
           setters[kind === 'compared' ? kind : 'drawn'](materials[i]);
-          materials[i].tilesPerUnit *= surface.scale;
+          materials[i].tilesPerObjectUnit *= surface.scale;
           showSurface(materials[i], surface, look.showsSurfaceColors);
         }
         yield;
@@ -355,7 +355,7 @@ const materialKey = ({ drawn, compared, outlines, showsSurfaceColors }: Look): s
 
 function surfaceOf(material: HatchingMaterial): Surface {
   const { color, map, vertexColors, alphaTest, transparent: isGlass, blending, premultipliedAlpha } = material;
-  const scale = material.tilesPerUnit;
+  const scale = material.tilesPerObjectUnit;
   return { color: color.clone(), map, vertexColors, alphaTest, isGlass, blending, premultipliedAlpha, scale };
 }
 

@@ -42,7 +42,7 @@ export function parameterSetter(parameters: HatchingMaterialParameters): (materi
   };
 }
 
-const { finestSpacing } = HATCHING_DEFAULTS;
+const { minLineSpacing } = HATCHING_DEFAULTS;
 
 /**
  * The sizes of materials on a sheet.
@@ -51,15 +51,15 @@ const { finestSpacing } = HATCHING_DEFAULTS;
  * @param scale of a picture relative to the page
  */
 export function materialSizesIn(
-  { sizes, drawn: { sizedOnScreen } }: Look,
+  { sizes, drawn: { screenSpaceShare } }: Look,
   share: number,
   scale = 1,
 ): HatchingMaterialParameters {
   return {
     ...sizes,
-    ...scaledSizes({ ...sizes, sizedOnScreen }, share * scale),
+    ...scaledSizes({ ...sizes, screenSpaceShare }, share * scale),
     // The spacing below which lines merge does not depend on the size of the sheet.
-    ...scaledSizes({ finestSpacing }, scale),
+    ...scaledSizes({ minLineSpacing }, scale),
   };
 }
 
@@ -69,7 +69,7 @@ export function outlineSizesIn({ outlines }: Look, factor: number) {
     outlineWidth: outlines.outlineWidth * factor,
     wobble: outlines.wobble * factor,
     overshoot: outlines.overshoot * factor,
-    toothSize: outlines.toothSize * factor,
+    paperGrainSize: outlines.paperGrainSize * factor,
   };
 }
 

@@ -130,7 +130,7 @@ function materialsOf(
   return ranges.map(({ picture, isSeeThrough = false }) => {
     const glass = isSeeThrough ? { transparent: true, depthWrite: false } : {};
     return new HatchingMaterial({
-      tilesPerUnit: 1,
+      tilesPerObjectUnit: 1,
       vertexColors: colors !== null,
       side,
       ...paintOf(picture),

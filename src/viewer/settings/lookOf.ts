@@ -141,7 +141,7 @@ export function withBoldnessAndDensity(settings: Settings): Settings {
     strokeWidth: settings.strokeWidth * size,
     lineSpacing: settings.lineSpacing * size,
     outlineWidth: settings.outlineWidth * size,
-    tilesPerUnit: settings.tilesPerUnit / size,
+    tilesPerObjectUnit: settings.tilesPerObjectUnit / size,
     lightStrength: settings.lightStrength / cover,
     secondStrength: settings.secondStrength / cover,
   };

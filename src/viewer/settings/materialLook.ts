@@ -12,7 +12,7 @@ import {
 import { counts, HATCHING_OUTLINE_DEFAULTS, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { type Setting, UNITS, unitOf } from './table/rows.js';
-import { outlineShadeOf, SHADE, STROKE_ROTATIONS, strokeDirectionOf } from './table/strokeSettings.js';
+import { outlineShadeOf, SHADE, STROKE_ANGLES, strokeDirectionOf } from './table/strokeSettings.js';
 
 const curveOf = (name: PresetName) => presets[name].material.toneCurve ?? 'linear';
 
@@ -51,7 +51,7 @@ const PROPERTY_SETTINGS: readonly PropertySetting[] = SETTING_KEYS.flatMap((key)
 });
 
 /** Whether a property can be measured in screen pixels. */
-const isSize = ({ property }: PropertySetting): boolean => pixelPower({ sizedOnScreen: 1 }, property) > 0;
+const isSize = ({ property }: PropertySetting): boolean => pixelPower({ screenSpaceShare: 1 }, property) > 0;
 
 const SIZES = PROPERTY_SETTINGS.filter(isSize);
 const OTHERS = PROPERTY_SETTINGS.filter((setting) => !isSize(setting));
@@ -87,7 +87,7 @@ export function materialLook(
   return {
     technique: techniqueOf(technique),
     crisp: technique === 'adjacencyCrisp',
-    strokeRotation: rotationOf(settings, technique),
+    strokeAngle: rotationOf(settings, technique),
     strokeOffset: new Vector2(offsetU, offsetV),
     toneCurve: TONE_CURVES[settings.toneCurve],
     ...compositionLook(settings),
@@ -101,7 +101,7 @@ export function materialLook(
 function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Settings['technique']): number {
   const { yieldsTo }: Setting = SETTINGS.strokeDirection;
   if (yieldsTo && counts({ technique: techniqueOf(technique) }, yieldsTo)) return 0;
-  return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : STROKE_ROTATIONS[strokeDirection];
+  return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : STROKE_ANGLES[strokeDirection];
 }
 
 /** The sizes of the material for some settings; pixels are CSS pixels. */
@@ -109,11 +109,11 @@ export const materialSizes = (settings: Settings): HatchingMaterialParameters =>
 
 /** The settings that correspond to material parameters. Absent parameters give no setting. */
 export function settingsOfMaterial(parameters: HatchingMaterialParameters): Partial<Settings> {
-  const { technique, crisp, strokeRotation, strokeOffset, toneCurve, exposure } = parameters;
+  const { technique, crisp, strokeAngle, strokeOffset, toneCurve, exposure } = parameters;
   const given = PROPERTY_SETTINGS.filter(({ property }) => parameters[property] !== undefined);
   return {
     ...(technique && { technique: technique === 'adjacency' && crisp ? 'adjacencyCrisp' : technique }),
-    ...(strokeRotation !== undefined && directionOf(strokeRotation)),
+    ...(strokeAngle !== undefined && directionOf(strokeAngle)),
     ...(strokeOffset && offsetOf(strokeOffset)),
     ...(toneCurve && { toneCurve: nameOfCurve(toneCurve) }),
     ...(exposure && { exposure: exposure === 'auto' ? exposure : 'fixed' }),
@@ -126,10 +126,10 @@ function offsetOf(offset: Vector2Like): Partial<Settings> {
   return { offsetU, offsetV };
 }
 
-function directionOf(strokeRotation: number): Partial<Settings> {
-  const strokeDirection = strokeDirectionOf(strokeRotation);
+function directionOf(strokeAngle: number): Partial<Settings> {
+  const strokeDirection = strokeDirectionOf(strokeAngle);
   if (strokeDirection !== 'angle') return { strokeDirection };
-  return { strokeDirection, strokeAngle: unitOf('strokeRotation').toSetting(strokeRotation) };
+  return { strokeDirection, strokeAngle: unitOf('strokeAngle').toSetting(strokeAngle) };
 }
 
 /** The composition parameters of the material that are not properties of the settings' own name. */
@@ -202,10 +202,10 @@ export function outlineLook(settings: Settings) {
     wobble: settings.outlineHand,
     overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
     // Outlines use the medium of the strokes.
-    tooth: counts({ technique: techniqueOf(settings.technique), medium: settings.medium }, 'tooth')
-      ? settings.tooth / 100
+    paperGrain: counts({ technique: techniqueOf(settings.technique), medium: settings.medium }, 'paperGrain')
+      ? settings.paperGrain / 100
       : 0,
-    toothSize: settings.toothSize,
+    paperGrainSize: settings.paperGrainSize,
     ink: settings.ink,
   };
 }

@@ -44,7 +44,7 @@ export interface HatchingOutlineNodeMaterial
 /**
  * The material of `HatchingOutlines` for WebGPURenderer: the same properties as those of `HatchingOutlineMaterial`, with the same defaults.
  * It uses the lights and the fog of the scene. Every property may be set at any time and takes effect in the next frame; `wobble` and
- * `tooth` need another program when they change between 0 and more than 0. Several `HatchingOutlines` may share a material.
+ * `paperGrain` need another program when they change between 0 and more than 0. Several `HatchingOutlines` may share a material.
  */
 export class HatchingOutlineNodeMaterial extends NodeMaterial {
   readonly isHatchingOutlineNodeMaterial = true;
@@ -68,7 +68,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     this.ink = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
     this.shadeWeights = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
     defineOutlineNumbers(this, NAME, (name) => {
-      if (name === 'wobble' || name === 'tooth') this.chooseNodes();
+      if (name === 'wobble' || name === 'paperGrain') this.chooseNodes();
     });
     Object.defineProperty(this, 'hidden', {
       get: () => this.hiddenLines,
@@ -131,7 +131,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     const { hiddenOnes } = this;
     copyDrawState(this, hiddenOnes);
     hiddenOnes.fog = this.fog;
-    hiddenOnes.tooth = this.tooth;
+    hiddenOnes.paperGrain = this.paperGrain;
     hiddenOnes.wobble = this.wobble;
     // Hidden outlines are found per fragment.
     hiddenOnes.depthTest = false;
@@ -146,7 +146,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   /** Writes the properties to the uniforms. @param pixelRatio device pixels per CSS pixel @internal */
   writeLook(pixelRatio: number): void {
     writeOutlineLook(this, this.uniforms, pixelRatio);
-    if (this.tooth > 0) this.uniforms.toothMap.value = toothMap();
+    if (this.paperGrain > 0) this.uniforms.toothMap.value = toothMap();
   }
 
   /**
@@ -207,7 +207,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   }
 
   private chooseNodes(): void {
-    const nodes = outlineNodes({ HIDDEN: this.isHidden, TOOTH: this.tooth > 0, WOBBLE: this.wobble > 0 });
+    const nodes = outlineNodes({ HIDDEN: this.isHidden, PAPER_GRAIN: this.paperGrain > 0, WOBBLE: this.wobble > 0 });
     if (nodes === this.nodes) return;
     this.nodes = nodes;
     // Nodes are shared by all materials, so that they share programs.

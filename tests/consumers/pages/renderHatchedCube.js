@@ -15,7 +15,7 @@ export async function renderHatchedCube({ createWorker } = {}) {
     TonalArtMap.generate({ size: 64, tones: 4, createWorker }),
   ]);
   // The code of the technique is loaded later, from its own file.
-  const material = new HatchingMaterial({ technique: 'adjacency', tonalArtMap, tilesPerUnit: 1 });
+  const material = new HatchingMaterial({ technique: 'adjacency', tonalArtMap, tilesPerObjectUnit: 1 });
   const mesh = new Mesh(geometry, material);
   mesh.rotation.set(0.5, 0.6, 0);
   const sun = new DirectionalLight(0xffffff, Math.PI);

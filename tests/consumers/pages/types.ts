@@ -5,7 +5,7 @@ import { HatchingMaterial, prepareHatchingGeometry, type TaskOptions, TonalArtMa
 export async function hatchedBox(options: TaskOptions): Promise<Mesh<BoxGeometry, HatchingMaterial>> {
   const tonalArtMap: TonalArtMap = await TonalArtMap.generate({ style: 'hatching', seed: 7, ...options });
   const material = new HatchingMaterial({ tonalArtMap, technique: 'adjacency', ink: '#222' });
-  material.strokeRotation = Math.PI / 2;
+  material.strokeAngle = Math.PI / 2;
   const size: number = tonalArtMap.size;
   material.strokeOffset.set(size, 0);
   // @ts-expect-error: an unknown technique is refused.

@@ -110,8 +110,8 @@ export const exports: readonly Mutation[] = [
   {
     name: 'code for a scene has the scale of the page',
     file: 'src/playground/code/lookSample.ts',
-    find: '(tilesPerUnit / radius)',
-    replace: '(tilesPerUnit * radius)',
+    find: '(tilesPerObjectUnit / radius)',
+    replace: '(tilesPerObjectUnit * radius)',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/playground/code/codeSample.test.ts',

@@ -15,7 +15,7 @@ describe('preset', () => {
   });
 });
 
-describe.each(['color-fill', 'local-tone', 'exposure', 'vignette'] as const)('%s', (name) => {
+describe.each(['color-fill', 'color-hatching', 'exposure', 'vignette'] as const)('%s', (name) => {
   test.each([
     [null, undefined],
     ['', undefined],
@@ -29,7 +29,7 @@ describe.each(['color-fill', 'local-tone', 'exposure', 'vignette'] as const)('%s
 });
 
 test('a share is from 0 to 1; an exposure may be greater, but not 0', () => {
-  for (const name of ['color-fill', 'local-tone', 'vignette'] as const) {
+  for (const name of ['color-fill', 'color-hatching', 'vignette'] as const) {
     expect(readLookNumber(name, '0')).toBe(0);
     expect(() => readLookNumber(name, '1.5')).toThrow(`The ${name} is "1.5"`);
   }

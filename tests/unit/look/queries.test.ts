@@ -77,15 +77,15 @@ describe('queries of a look', () => {
   });
 
   test.each([
-    ['strokeRotation', {}, true],
-    ['strokeRotation', { strokeField: 'form' }, false],
-    ['strokeRotation', { strokeField: 'form', technique: 'engraved' }, true],
+    ['strokeAngle', {}, true],
+    ['strokeAngle', { strokeField: 'form' }, false],
+    ['strokeAngle', { strokeField: 'form', technique: 'engraved' }, true],
     ['strokeField', { medium: 'dry' }, true],
     ['strokeField', { medium: 'stipple' }, false],
-    ['tooth', { technique: 'anchored', medium: 'dry' }, true],
-    ['tooth', { technique: 'anchored' }, false],
+    ['paperGrain', { technique: 'anchored', medium: 'dry' }, true],
+    ['paperGrain', { technique: 'anchored' }, false],
     // The medium of another technique.
-    ['tooth', { technique: 'engraved', medium: 'dry' }, false],
+    ['paperGrain', { technique: 'engraved', medium: 'dry' }, false],
     ['edgePixels', { technique: 'anchored' }, true],
     ['edgePixels', { technique: 'anchored', medium: 'dry' }, false],
     ['edgePixels', { technique: 'adjacency' }, false],
@@ -108,16 +108,16 @@ describe('queries of a look', () => {
     ['strokeWidth', { technique: 'adjacency', crisp: true }, true],
     ['strokeWidth', { technique: 'anchored' }, true],
     ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
-    ['anchorSpacing', { technique: 'anchored', medium: 'stipple' }, false],
-    ['strokeRotation', { technique: 'anchored', medium: 'stipple' }, false],
-    ['strokeRotation', { technique: 'engraved', medium: 'stipple' }, true],
-    ['strokeRotation', { technique: 'engraved', medium: 'woodcut' }, true],
+    ['latticeSpacing', { technique: 'anchored', medium: 'stipple' }, false],
+    ['strokeAngle', { technique: 'anchored', medium: 'stipple' }, false],
+    ['strokeAngle', { technique: 'engraved', medium: 'stipple' }, true],
+    ['strokeAngle', { technique: 'engraved', medium: 'woodcut' }, true],
     // `anchored` draws an unknown medium in ink.
-    ['anchorSpacing', { technique: 'anchored', medium: 'woodcut' }, true],
-    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 0.9 }, true],
-    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 1 }, false],
+    ['latticeSpacing', { technique: 'anchored', medium: 'woodcut' }, true],
+    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 0.9 }, true],
+    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 1 }, false],
     // Strokes of `triangle` are always sized on the object.
-    ['tilesPerUnit', { technique: 'triangle', sizedOnScreen: 1 }, true],
+    ['tilesPerObjectUnit', { technique: 'triangle', screenSpaceShare: 1 }, true],
     ['bumpScale', {}, false],
     ['bumpScale', { bumpMap: {}, toneNormal: 'smooth' }, true],
     ['bumpScale', { bumpMap: {} }, true],
@@ -125,13 +125,13 @@ describe('queries of a look', () => {
     ['bumpMap', { bumpMap: {}, normalMap: {}, toneNormal: 'smooth' }, false],
     ['normalMap', { technique: 'anchored', toneNormal: 'auto' }, true],
     ['normalMap', { technique: 'anchored', toneNormal: 'face' }, false],
-    ['highlightSoftness', { highlightTone: 0 }, false],
-    ['highlightSoftness', { highlightTone: 0.2 }, true],
+    ['highlightSoftness', { highlightThreshold: 0 }, false],
+    ['highlightSoftness', { highlightThreshold: 0.2 }, true],
     ['exposureCompensation', {}, false],
     ['exposureCompensation', { exposure: 2 }, false],
     ['exposureCompensation', { exposure: 'auto' }, true],
     ['exposureCompensation', { preset: 'pen' }, true],
-    ['depthFar', { depthFade: 'auto' }, true],
+    ['depthFadeEnd', { depthFade: 'auto' }, true],
   ] as const)('%s under %j counts: %s', (name, look, expected) => {
     expect(counts(look, name)).toBe(expected);
   });
@@ -163,12 +163,12 @@ describe('queries of a look', () => {
 test.each([
   ['strokeWidth', {}, 'pixels'],
   ['edgePixels', {}, 'gridPixels'],
-  ['handmade', {}, 'share'],
+  ['irregularity', {}, 'share'],
   ['lineSpacing', {}, 'pixels'],
-  ['lineSpacing', { sizedOnScreen: 0 }, 'tileParts'],
-  ['lineSpacing', { sizedOnScreen: 1 }, 'pixels'],
+  ['lineSpacing', { screenSpaceShare: 0 }, 'tileParts'],
+  ['lineSpacing', { screenSpaceShare: 1 }, 'pixels'],
   // A mean of the two.
-  ['lineSpacing', { sizedOnScreen: 0.5 }, undefined],
+  ['lineSpacing', { screenSpaceShare: 0.5 }, undefined],
   ['ink', {}, undefined],
 ] as const)('%s of %j measures %s', (name, look, expected) => {
   expect(measureOf(look, name)).toBe(expected);
@@ -177,13 +177,13 @@ test.each([
 describe('sizes for a picture of more pixels', () => {
   test.each([
     ['strokeWidth', {}, 1],
-    ['toothSize', { sizedOnScreen: 0 }, 1],
+    ['paperGrainSize', { screenSpaceShare: 0 }, 1],
     ['lineSpacing', {}, 1],
-    ['lineSpacing', { sizedOnScreen: 0 }, 0],
-    ['lineSpacing', { sizedOnScreen: 0.25 }, 0.25],
-    ['lineSpacing', { sizedOnScreen: 1 }, 1],
+    ['lineSpacing', { screenSpaceShare: 0 }, 0],
+    ['lineSpacing', { screenSpaceShare: 0.25 }, 0.25],
+    ['lineSpacing', { screenSpaceShare: 1 }, 1],
     ['edgePixels', {}, 0],
-    ['tilesPerUnit', {}, 0],
+    ['tilesPerObjectUnit', {}, 0],
     ['ink', {}, 0],
   ] as const)('%s of %j goes with the power %d', (name, look, power) => {
     expect(pixelPower(look, name)).toBe(power);
@@ -191,20 +191,20 @@ describe('sizes for a picture of more pixels', () => {
 
   test('are those given in the look and measured in pixels', () => {
     const look = {
-      sizedOnScreen: 0,
+      screenSpaceShare: 0,
       strokeWidth: 2,
-      tilesPerUnit: 3,
+      tilesPerObjectUnit: 3,
       edgePixels: 1,
-      anchorSpacing: 0.4,
+      latticeSpacing: 0.4,
       ink: 'navy',
       lineSpacing: 4,
     };
     expect(scaledSizes(look, 4)).toEqual({ strokeWidth: 8 });
-    expect(scaledSizes({ ...look, sizedOnScreen: 1 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16 });
-    expect(scaledSizes({ ...look, sizedOnScreen: 0.5 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8 });
-    expect(scaledSizes({ strokeWidth: null, toothSize: 2 }, 0.5)).toEqual({ toothSize: 1 });
+    expect(scaledSizes({ ...look, screenSpaceShare: 1 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 16 });
+    expect(scaledSizes({ ...look, screenSpaceShare: 0.5 }, 4)).toEqual({ strokeWidth: 8, lineSpacing: 8 });
+    expect(scaledSizes({ strokeWidth: null, paperGrainSize: 2 }, 0.5)).toEqual({ paperGrainSize: 1 });
     // Never below its range: lines of less than two pixels cannot be told apart.
-    expect(scaledSizes({ finestSpacing: 3 }, 0.5)).toEqual({ finestSpacing: 2 });
+    expect(scaledSizes({ minLineSpacing: 3 }, 0.5)).toEqual({ minLineSpacing: 2 });
   });
 
   test('include those of the preset, unless the look has its own', () => {
@@ -214,9 +214,12 @@ describe('sizes for a picture of more pixels', () => {
   });
 
   test('of a material include every one, whatever its technique', () => {
-    const sizes: HatchingPropertyName[] = ['lineSpacing', 'strokeLength', 'finestSpacing', 'toothSize'];
+    const sizes: HatchingPropertyName[] = ['lineSpacing', 'strokeLength', 'minLineSpacing', 'paperGrainSize'];
     for (const technique of Object.keys(TECHNIQUES) as (keyof typeof TECHNIQUES)[]) {
-      const look: HatchingLook = new HatchingMaterial({ technique, sizedOnScreen: technique === 'engraved' ? 1 : 0 });
+      const look: HatchingLook = new HatchingMaterial({
+        technique,
+        screenSpaceShare: technique === 'engraved' ? 1 : 0,
+      });
       const expected = technique === 'engraved' ? sizes : sizes.slice(2);
       if (technique === 'anchored') expected.push('strokeWidth');
       expect(Object.keys(scaledSizes(look, 2)).sort()).toEqual([...expected].sort());

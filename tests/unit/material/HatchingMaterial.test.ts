@@ -82,14 +82,14 @@ describe('HatchingMaterial', () => {
     expect(material.type).toBe('HatchingMaterial');
     expect(material).toMatchObject({
       technique: 'anchored',
-      sizedOnScreen: 1,
+      screenSpaceShare: 1,
       strokeWidth: 1.5,
       toneModel: 'lambert',
       toneNormal: 'smooth',
       debugView: 'none',
       strokeAnchor: 'rest',
-      tilesPerUnit: 3,
-      strokeRotation: Math.PI / 2,
+      tilesPerObjectUnit: 3,
+      strokeAngle: Math.PI / 2,
       tonalArtMap: 'hatching',
       toneCurve: 'printed',
       reflectedLight: 0.35,
@@ -109,7 +109,7 @@ describe('HatchingMaterial', () => {
   ] as const)('%s alone draws the equations of Suarez et al.', (technique, more) => {
     expect(new HatchingMaterial({ technique })).toMatchObject({
       ...{ toneNormal: 'face', toneCurve: 'linear', reflectedLight: 0, strokeLayers: 'single', crossFrom: 0.52 },
-      ...{ strokeRotation: 0, strokeWidth: null, crisp: false, levelRule: 'derivatives', tilesPerUnit: 3 },
+      ...{ strokeAngle: 0, strokeWidth: null, crisp: false, levelRule: 'derivatives', tilesPerObjectUnit: 3 },
       ...more,
     });
   });
@@ -211,8 +211,8 @@ describe('HatchingMaterial', () => {
   test('changes its program only if the shader changes', () => {
     const material = new HatchingMaterial({ tonalArtMap: map, technique: 'adjacency' });
     const { version } = material;
-    material.tilesPerUnit = 7;
-    material.strokeRotation = 1;
+    material.tilesPerObjectUnit = 7;
+    material.strokeAngle = 1;
     material.strokeOffset.set(0.1, 0.2);
     material.toneSteps = 6;
     material.shininess = 5;
@@ -288,8 +288,8 @@ describe('HatchingMaterial', () => {
   test('strokes sized on the object alone have a program of their own, and all other sizes share one', () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     // The renderer reads it when it chooses a program.
-    const definesAt = (sizedOnScreen: number) => {
-      material.sizedOnScreen = sizedOnScreen;
+    const definesAt = (screenSpaceShare: number) => {
+      material.screenSpaceShare = screenSpaceShare;
       material.customProgramCacheKey();
       return { ...material.defines };
     };
@@ -297,8 +297,8 @@ describe('HatchingMaterial', () => {
     expect(definesAt(0.5)).not.toEqual(onObject);
     expect(definesAt(0.5)).toEqual(definesAt(1));
     expect(definesAt(0)).toEqual(onObject);
-    expect(programSwitches(Object.assign(material, { sizedOnScreen: 0.4 }))).not.toBe(
-      programSwitches(new HatchingMaterial({ technique: 'anchored', sizedOnScreen: 0 })),
+    expect(programSwitches(Object.assign(material, { screenSpaceShare: 0.4 }))).not.toBe(
+      programSwitches(new HatchingMaterial({ technique: 'anchored', screenSpaceShare: 0 })),
     );
   });
 
@@ -318,12 +318,12 @@ describe('HatchingMaterial', () => {
       toneNormal: 'smooth',
       debugView: 'tone',
       strokeAnchor: 'deformed',
-      tilesPerUnit: 5,
-      strokeRotation: 0.5,
+      tilesPerObjectUnit: 5,
+      strokeAngle: 0.5,
       strokeOffset: new Vector2(0.1, 0.2),
       blendAngle: 0.7,
-      anchorSpacing: 0.2,
-      sizedOnScreen: 0.5,
+      latticeSpacing: 0.2,
+      screenSpaceShare: 0.5,
       edgePixels: 0.5,
       shininess: 8,
       toneCurve: [
@@ -355,11 +355,11 @@ describe('HatchingMaterial', () => {
       'toneNormal',
       'debugView',
       'strokeAnchor',
-      'tilesPerUnit',
-      'strokeRotation',
+      'tilesPerObjectUnit',
+      'strokeAngle',
       'blendAngle',
-      'anchorSpacing',
-      'sizedOnScreen',
+      'latticeSpacing',
+      'screenSpaceShare',
       'edgePixels',
       'shininess',
       'toneCurve',
@@ -411,29 +411,29 @@ describe('values of the wrong kind', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingMaterial();
     for (const [wrong, message] of [
-      [{ tilesPerUnit: 7, map: { image: {} } }, 'HatchingMaterial.map: expected a THREE.Texture or null.'],
-      [{ tilesPerUnit: 7, normalMap: 1 }, 'HatchingMaterial.normalMap: expected a THREE.Texture or null.'],
-      [{ tilesPerUnit: 7, strokeOffset: null }, 'HatchingMaterial.strokeOffset: expected a THREE.Vector2'],
+      [{ tilesPerObjectUnit: 7, map: { image: {} } }, 'HatchingMaterial.map: expected a THREE.Texture or null.'],
+      [{ tilesPerObjectUnit: 7, normalMap: 1 }, 'HatchingMaterial.normalMap: expected a THREE.Texture or null.'],
+      [{ tilesPerObjectUnit: 7, strokeOffset: null }, 'HatchingMaterial.strokeOffset: expected a THREE.Vector2'],
       [
-        { tilesPerUnit: 7, normalScale: { x: 1, y: Number.NaN } },
+        { tilesPerObjectUnit: 7, normalScale: { x: 1, y: Number.NaN } },
         'HatchingMaterial.normalScale: expected a THREE.Vector2',
       ],
-      [{ tilesPerUnit: 7, strokeWidth: '1.9' }, 'HatchingMaterial.strokeWidth: 1.9 is not a number in (0, ∞).'],
-      [{ tilesPerUnit: 7, edgePixels: null }, 'HatchingMaterial.edgePixels: null is not a number'],
-      [{ tilesPerUnit: 7, medium: 'constructor' }, 'HatchingMaterial.medium: "constructor" is not known'],
-      [{ tilesPerUnit: 7, inkBlend: 'auto' }, 'HatchingMaterial.inkBlend: "auto" is not known'],
-      [{ tilesPerUnit: 7, crisp: 'yes' }, 'HatchingMaterial.crisp: expected true or false.'],
-      [{ tilesPerUnit: 7, toneCurve: [[0, 0]] }, 'HatchingMaterial.toneCurve: '],
-      [{ tilesPerUnit: 7, tonalArtMap: {} }, 'HatchingMaterial.tonalArtMap: '],
+      [{ tilesPerObjectUnit: 7, strokeWidth: '1.9' }, 'HatchingMaterial.strokeWidth: 1.9 is not a number in (0, ∞).'],
+      [{ tilesPerObjectUnit: 7, edgePixels: null }, 'HatchingMaterial.edgePixels: null is not a number'],
+      [{ tilesPerObjectUnit: 7, medium: 'constructor' }, 'HatchingMaterial.medium: "constructor" is not known'],
+      [{ tilesPerObjectUnit: 7, inkBlend: 'auto' }, 'HatchingMaterial.inkBlend: "auto" is not known'],
+      [{ tilesPerObjectUnit: 7, crisp: 'yes' }, 'HatchingMaterial.crisp: expected true or false.'],
+      [{ tilesPerObjectUnit: 7, toneCurve: [[0, 0]] }, 'HatchingMaterial.toneCurve: '],
+      [{ tilesPerObjectUnit: 7, tonalArtMap: {} }, 'HatchingMaterial.tonalArtMap: '],
       ...['nonsense', 'constructor', '#12', 'rgb(red)', '', null, Number.NaN, {}, true].map(
-        (ink) => [{ tilesPerUnit: 7, ink }, 'HatchingMaterial.ink: expected a THREE.Color, a number'] as const,
+        (ink) => [{ tilesPerObjectUnit: 7, ink }, 'HatchingMaterial.ink: expected a THREE.Color, a number'] as const,
       ),
-      [JSON.parse('{ "tilesPerUnit": 7, "__proto__": { "isMaterial": false } }'), '"__proto__" is no parameter'],
+      [JSON.parse('{ "tilesPerObjectUnit": 7, "__proto__": { "isMaterial": false } }'), '"__proto__" is no parameter'],
     ] as const) {
       expect(() => material.setValues(wrong as never)).toThrow(message);
       expect(() => new HatchingMaterial(wrong as never)).toThrow(message);
     }
-    expect(material.tilesPerUnit).not.toBe(7);
+    expect(material.tilesPerObjectUnit).not.toBe(7);
     expect(material).toBeInstanceOf(HatchingMaterial);
     expect(() => Object.assign(material, { crisp: 'yes' })).toThrow('expected true or false');
     expect(warn.mock.calls.every(([message]) => /Color/.test(message))).toBe(true);

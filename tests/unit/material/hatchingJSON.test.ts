@@ -17,12 +17,12 @@ describe('JSON of a material, from anywhere', () => {
       "dispose": "no function", "onBeforeCompile": 1, "customProgramCacheKey": null, "setValues": {}, "constructor": 5,
       "isMaterial": false, "isHatchingMaterial": false, "type": "Other", "version": -1, "needsUpdate": false,
       "vertexShader": "", "fragmentShader": "", "uniforms": {}, "defines": { "MINE": 1 }, "extensions": 1,
-      "tonalArtMap": "contours", "roughness": 1, "tilesPerUnit": 7, "opacity": 0.5
+      "tonalArtMap": "contours", "roughness": 1, "tilesPerObjectUnit": 7, "opacity": 0.5
     }`);
     expect(Object.getPrototypeOf(material)).toBe(HatchingMaterial.prototype);
     expect(material).toMatchObject({ isMaterial: true, isHatchingMaterial: true, type: 'HatchingMaterial' });
     expect(Object.keys(material)).toEqual(Object.keys(new HatchingMaterial()));
-    expect(material).toMatchObject({ tilesPerUnit: 7, opacity: 0.5, tonalArtMap: 'contours' });
+    expect(material).toMatchObject({ tilesPerObjectUnit: 7, opacity: 0.5, tonalArtMap: 'contours' });
     const { defines, vertexShader, fragmentShader } = new HatchingMaterial();
     expect(material).toMatchObject({ defines, vertexShader, fragmentShader });
     for (const name of ['dispose', 'onBeforeCompile', 'customProgramCacheKey', 'setValues', 'constructor'] as const) {
@@ -56,9 +56,9 @@ describe('JSON of a material, from anywhere', () => {
   ])('is refused with a value of the wrong kind, and sets nothing: %s', (text, message) => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingMaterial();
-    const json = { tilesPerUnit: 7, opacity: 0.5, ...JSON.parse(text) };
+    const json = { tilesPerObjectUnit: 7, opacity: 0.5, ...JSON.parse(text) };
     expect(() => material.fromJSON(json)).toThrow(message);
-    expect([material.tilesPerUnit, material.opacity]).toEqual([3, 1]);
+    expect([material.tilesPerObjectUnit, material.opacity]).toEqual([3, 1]);
   });
 
   test.each([
@@ -84,9 +84,9 @@ describe('JSON of a material, from anywhere', () => {
     }
     // The default of one technique is not that of another.
     const { strokeLayers } = new HatchingMaterial({ technique: 'engraved' });
-    const other = new HatchingMaterial({ technique: 'anchored', strokeLayers, tilesPerUnit: 7 });
-    expect(named(other)).toEqual(expect.arrayContaining(['tilesPerUnit']));
-    expect(read(JSON.stringify(other.toJSON()))).toMatchObject({ strokeLayers, tilesPerUnit: 7 });
+    const other = new HatchingMaterial({ technique: 'anchored', strokeLayers, tilesPerObjectUnit: 7 });
+    expect(named(other)).toEqual(expect.arrayContaining(['tilesPerObjectUnit']));
+    expect(read(JSON.stringify(other.toJSON()))).toMatchObject({ strokeLayers, tilesPerObjectUnit: 7 });
   });
 
   test('finds textures by their own names alone', () => {

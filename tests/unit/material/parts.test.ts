@@ -13,7 +13,7 @@ describe('code that is fetched when a material first uses it', () => {
   test('is none for strokes of ink', async () => {
     const material = new HatchingMaterial({ technique: 'anchored' });
     expect(isPlain(material)).toBe(false);
-    expect(material.fragmentShader).toContain('anchorSpacing');
+    expect(material.fragmentShader).toContain('latticeSpacing');
     await material.ready;
   });
 

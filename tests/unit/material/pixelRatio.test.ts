@@ -24,13 +24,20 @@ function numbersOf(material: HatchingMaterial, renderer: WebGLRenderer): [name: 
   );
 }
 
-const SIZES = { toothSize: 3, lineSpacing: 6, finestSpacing: 5, strokeWidth: 2.5, strokeLength: 50, edgePixels: 1.5 };
+const SIZES = {
+  paperGrainSize: 3,
+  lineSpacing: 6,
+  minLineSpacing: 5,
+  strokeWidth: 2.5,
+  strokeLength: 50,
+  edgePixels: 1.5,
+};
 
 test.each(
-  [0.5, 1, 2].flatMap((pixelRatio) => [0, 0.5, 1].map((sizedOnScreen) => [pixelRatio, sizedOnScreen] as const)),
-)('sizes are in CSS pixels: at a pixel ratio of %d, sized on the screen by %d', (pixelRatio, sizedOnScreen) => {
+  [0.5, 1, 2].flatMap((pixelRatio) => [0, 0.5, 1].map((screenSpaceShare) => [pixelRatio, screenSpaceShare] as const)),
+)('sizes are in CSS pixels: at a pixel ratio of %d, sized on the screen by %d', (pixelRatio, screenSpaceShare) => {
   for (const technique of ['adjacency', 'anchored', 'engraved'] as const) {
-    const look: HatchingMaterialParameters = { technique, sizedOnScreen, ...SIZES };
+    const look: HatchingMaterialParameters = { technique, screenSpaceShare, ...SIZES };
     const scaled = new HatchingMaterial({ ...look, ...scaledSizes(look, pixelRatio) });
     const material = new HatchingMaterial(look);
     expect(numbersOf(material, rendererOf(pixelRatio))).toEqual(numbersOf(scaled, rendererOf(1)));
@@ -39,10 +46,10 @@ test.each(
 });
 
 test('the edges of strokes are equally soft at any pixel ratio, and lines may be two pixels of the drawing buffer apart', () => {
-  const material = new HatchingMaterial({ technique: 'engraved', finestSpacing: 3 });
+  const material = new HatchingMaterial({ technique: 'engraved', minLineSpacing: 3 });
   const uniforms = [0.5, 1, 2].map((pixelRatio) => Object.fromEntries(numbersOf(material, rendererOf(pixelRatio))));
   expect(uniforms.map(({ edgePixels }) => edgePixels)).toEqual([1, 1, 1]);
-  expect(uniforms.map(({ finestSpacing }) => finestSpacing)).toEqual([2, 3, 6]);
+  expect(uniforms.map(({ minLineSpacing }) => minLineSpacing)).toEqual([2, 3, 6]);
 });
 
 test('two renderers of different pixel ratios share a material, also in frames of the same number', () => {

@@ -120,7 +120,7 @@ describe('every property', () => {
       // Without highlights their softness has no effect, and an exposure that is not fitted has no compensation.
       const base = {
         technique: row.techniques?.[0] ?? 'adjacency',
-        highlightTone: 0.1,
+        highlightThreshold: 0.1,
         exposure: 'auto',
         ...(name === 'focusRadius' && { focus: [0, 0, 0] }),
       };
@@ -257,10 +257,10 @@ describe('JSON', () => {
 
   test("three's own loader finds the class once it is registered", () => {
     MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial);
-    const source = new HatchingMaterial({ ink: 'navy', tilesPerUnit: 5, technique: 'anchored' });
+    const source = new HatchingMaterial({ ink: 'navy', tilesPerObjectUnit: 5, technique: 'anchored' });
     const made = new MaterialLoader().parse(JSON.parse(JSON.stringify(source.toJSON())));
     expect(made).toBeInstanceOf(HatchingMaterial);
-    expect(made).toMatchObject({ tilesPerUnit: 5, technique: 'anchored', ink: source.ink });
+    expect(made).toMatchObject({ tilesPerObjectUnit: 5, technique: 'anchored', ink: source.ink });
   });
 });
 

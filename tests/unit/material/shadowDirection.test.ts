@@ -27,10 +27,10 @@ describe('shadows alone', () => {
   });
 
   test('that run away from the light are neither turned nor crossed', () => {
-    const { uniforms } = new HatchingMaterial({ ...SHADOW, strokeRotation: 0.3, crossFrom: 0.2 });
+    const { uniforms } = new HatchingMaterial({ ...SHADOW, strokeAngle: 0.3, crossFrom: 0.2 });
     expect(uniforms.strokeDirection.value.toArray()).toEqual([expect.closeTo(0), 1]);
     expect(uniforms.crossFrom.value).toBe(1);
-    const other = new HatchingMaterial({ strokeRotation: 0.3, crossFrom: 0.2 });
+    const other = new HatchingMaterial({ strokeAngle: 0.3, crossFrom: 0.2 });
     expect(other.uniforms.strokeDirection.value.toArray()).toEqual([Math.cos(0.3), Math.sin(0.3)]);
     expect(other.uniforms.crossFrom.value).toBe(0.2);
   });

@@ -69,7 +69,7 @@ test('values change in place: the geometry, the material and the outlines stay',
   await next();
   expect([mesh.geometry, mesh.material, mesh.children[0]]).toEqual([geometry, material, outlines]);
   expect(material.ink.getHexString()).toBe('123456');
-  expect([material.lineField, material.handmade]).toEqual(['light', presets.engraving.material.handmade]);
+  expect([material.lineField, material.irregularity]).toEqual(['light', presets.engraving.material.irregularity]);
   const [{ material: look }] = hatched[0].outlines;
   // Those of `technical`, which draws outlines of even weight; `engraving` leaves them at their defaults.
   expect([look.taper, look.creases, ...look.shadeWeights.toArray()]).toEqual([0, 0.35, 0.7, 1.7]);
@@ -117,7 +117,7 @@ test('a technique that needs other geometry, other creases and other options of 
   for (const options of [
     { preset: 'technical', outlines: { featureAngle: 1 } },
     { preset: 'technical', outlines: false },
-    { preset: 'technical', outlines: false, material: { tilesPerUnit: 2 } },
+    { preset: 'technical', outlines: false, material: { tilesPerObjectUnit: 2 } },
     { preset: 'technical', outlines: false },
     { preset: 'technical', outlines: false, smoothingRadius: 0.1 },
     {

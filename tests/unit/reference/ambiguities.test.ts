@@ -22,14 +22,14 @@ const material: ReferenceMaterial = {
   crisp: false,
   levelRule: 'derivatives',
   inkBlend: 'cover',
-  tilesPerUnit: 1,
-  strokeRotation: 0,
+  tilesPerObjectUnit: 1,
+  strokeAngle: 0,
   strokeOffset: [0, 0],
   blendAngle: Math.PI / 2,
   ink: [0, 0, 0],
   paper: [1, 1, 1],
   color: [1, 1, 1],
-  localTone: 0,
+  colorHatching: 0,
   colorFill: 1,
 };
 const lamp = (...position: Vec3): ReferenceLight => ({ type: 'point', color: [9, 9, 9], position, decay: 0 });

@@ -10,7 +10,7 @@ import { cube, torus, trianglesOf } from '../../reference/meshes.js';
 import { referenceAdjacency, type Triangle, type Vec3 } from '../../reference/referenceAdjacency.js';
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-const material: ReferenceMaterial = { ...defaults, tilesPerUnit: 1, strokeRotation: 0, strokeOffset: [0, 0] };
+const material: ReferenceMaterial = { ...defaults, tilesPerObjectUnit: 1, strokeAngle: 0, strokeOffset: [0, 0] };
 const sun: ReferenceLight = { type: 'directional', color: [Math.PI, Math.PI, Math.PI], position: [1, 2, 3] };
 
 const reference = (lights: ReferenceLight[], overrides: Partial<ReferenceMaterial> = {}) =>
@@ -55,8 +55,8 @@ describe('the double-precision reference', () => {
 
   test('rotation is counter-clockwise, before scale, and the offset counts in tiles', () => {
     const turned = reference([{ ...sun, position: [1, 0, 1] }], {
-      strokeRotation: Math.PI / 2,
-      tilesPerUnit: 2,
+      strokeAngle: Math.PI / 2,
+      tilesPerObjectUnit: 2,
       strokeOffset: [0.1, 0.2],
     });
     // (s, t) = (−0.5, 0.25) → (−t, s)·2 + offset

@@ -55,19 +55,19 @@ describe('options', () => {
     root.scale.setScalar(10);
     const scene = await applyHatching(root, { tonalArtMap });
     const perWorldUnit = 3 / 20;
-    expect(hatched(small).tilesPerUnit).toBeCloseTo(perWorldUnit * 5, 6);
-    expect(hatched(large).tilesPerUnit).toBeCloseTo(perWorldUnit * 20, 6);
-    expect(hatched(instanced).tilesPerUnit).toBeCloseTo(perWorldUnit * 2.5, 6);
+    expect(hatched(small).tilesPerObjectUnit).toBeCloseTo(perWorldUnit * 5, 6);
+    expect(hatched(large).tilesPerObjectUnit).toBeCloseTo(perWorldUnit * 20, 6);
+    expect(hatched(instanced).tilesPerObjectUnit).toBeCloseTo(perWorldUnit * 2.5, 6);
     expect(alike.material).toBe(small.material);
     expect(scene.materials).toHaveLength(3);
     scene.dispose();
     await applyHatching(root, {
       tonalArtMap,
       tilesPerWorldUnit: 2,
-      material: (_, mesh) => (mesh === large ? { tilesPerUnit: 7 } : {}),
+      material: (_, mesh) => (mesh === large ? { tilesPerObjectUnit: 7 } : {}),
     });
-    expect(hatched(small).tilesPerUnit).toBeCloseTo(10, 6);
-    expect(hatched(large).tilesPerUnit).toBe(7);
+    expect(hatched(small).tilesPerObjectUnit).toBeCloseTo(10, 6);
+    expect(hatched(large).tilesPerObjectUnit).toBe(7);
   });
 
   test('the size of a skinned mesh is that of its bones, wherever its node stands', async () => {
@@ -82,7 +82,7 @@ describe('options', () => {
     skinned.bind(new Skeleton([bone], [new Matrix4()]), new Matrix4());
     skinned.scale.setScalar(100);
     await applyHatching(root, { tonalArtMap, tilesPerWorldUnit: 1 });
-    expect(hatched(skinned).tilesPerUnit).toBeCloseTo(4, 6);
+    expect(hatched(skinned).tilesPerObjectUnit).toBeCloseTo(4, 6);
   });
 
   test('a filter leaves meshes out, and crease angle and progress reach the bake', async () => {

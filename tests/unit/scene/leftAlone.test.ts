@@ -90,7 +90,7 @@ test('another call hatches added meshes, with strokes of the same size', async (
   const after = await applyHatching(root, options);
   expect(first.material).toBe(material);
   expect(after.materials).toEqual([added.material]);
-  expect(after.materials[0].tilesPerUnit).toBeCloseTo(before.materials[0].tilesPerUnit);
+  expect(after.materials[0].tilesPerObjectUnit).toBeCloseTo(before.materials[0].tilesPerObjectUnit);
   expect(after.skipped).toEqual([
     { mesh: first, reason: 'The Mesh at Group/Mesh[0] is hatched already, or is being hatched.' },
   ]);

@@ -99,7 +99,7 @@ describe('scalePreset', () => {
   test.each(names)('%s grows in every size and in nothing else', (name) => {
     const { material, outlines, tonalArtMap } = presets[name];
     const scaled = scalePreset(presets[name], 2);
-    const sizes = ['strokeWidth', 'strokeLength', 'lineSpacing', 'toothSize', 'outlineWidth', 'wobble'];
+    const sizes = ['strokeWidth', 'strokeLength', 'lineSpacing', 'paperGrainSize', 'outlineWidth', 'wobble'];
     for (const [from, to] of [
       [material, scaled.material],
       [outlines, scaled.outlines],
@@ -117,8 +117,8 @@ describe('scalePreset', () => {
   });
 
   test('spacing on the object is the same at every resolution, and in between as far as it is on the screen', () => {
-    const spacingAt = (sizedOnScreen: number | undefined) =>
-      scalePreset({ ...presets.engraving, material: { lineSpacing: 5, sizedOnScreen } }, 4).material.lineSpacing;
+    const spacingAt = (screenSpaceShare: number | undefined) =>
+      scalePreset({ ...presets.engraving, material: { lineSpacing: 5, screenSpaceShare } }, 4).material.lineSpacing;
     expect([spacingAt(1), spacingAt(0.5), spacingAt(0), spacingAt(undefined)]).toEqual([20, 10, 5, 20]);
   });
 

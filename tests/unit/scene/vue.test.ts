@@ -34,16 +34,16 @@ test('a material in a ref takes values, keeps them, and draws with the map itsel
   const material = held.value as unknown as HatchingMaterial;
   material.tonalArtMap = reactive({ map }).map as unknown as TonalArtMap;
   material.ink.set('#123456');
-  material.strokeRotation = 0.5;
+  material.strokeAngle = 0.5;
   material.toneCurve = reactive([
     [0, 0],
     [1, 1],
   ]) as unknown as [number, number][];
   const itself = toRaw(held.value) as unknown as HatchingMaterial;
-  expect([itself.ink.getHexString(), itself.strokeRotation]).toEqual(['123456', 0.5]);
+  expect([itself.ink.getHexString(), itself.strokeAngle]).toEqual(['123456', 0.5]);
   expect(toRaw(itself.tonalArtMap)).toBe(map);
-  expect(material.clone().strokeRotation).toBe(0.5);
-  expect(HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(material.toJSON()))).strokeRotation).toBe(0.5);
+  expect(material.clone().strokeAngle).toBe(0.5);
+  expect(HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(material.toJSON()))).strokeAngle).toBe(0.5);
   expect(() => material.setValues({ side: 2 })).not.toThrow();
   shallowRef(material).value.dispose();
 });

@@ -57,7 +57,7 @@ export const planeOfTone = (tone: number, material: HatchingMaterialParameters =
     outlines: false,
     material: {
       lineField: 'slant',
-      handmade: 0,
+      irregularity: 0,
       crossFrom: 1,
       reflectedLight: 0,
       toneCurve: [

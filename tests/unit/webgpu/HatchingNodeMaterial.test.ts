@@ -22,8 +22,8 @@ describe('HatchingNodeMaterial', () => {
 
   test('throws for the same values, before anything is set', () => {
     const nodes = new HatchingNodeMaterial({ lineSpacing: 7 });
-    expect(() => nodes.setValues({ handmade: 0.5, lineSpacing: -1 })).toThrow(RangeError);
-    expect(nodes.handmade).toBe(new HatchingMaterial().handmade);
+    expect(() => nodes.setValues({ irregularity: 0.5, lineSpacing: -1 })).toThrow(RangeError);
+    expect(nodes.irregularity).toBe(new HatchingMaterial().irregularity);
     expect(nodes.lineSpacing).toBe(7);
     expect(() => new HatchingNodeMaterial({ technique: 'etched' as 'engraved' })).toThrow(/etched/);
   });
@@ -48,7 +48,7 @@ describe('HatchingNodeMaterial', () => {
   test('selects a program by choices, never by numbers', () => {
     const key = (look: ConstructorParameters<typeof HatchingNodeMaterial>[0]): string =>
       new HatchingNodeMaterial({ technique: 'engraved', ...look }).customProgramCacheKey();
-    expect(key({ lineSpacing: 9, ink: 0xff0000, handmade: 0 })).toBe(key({}));
+    expect(key({ lineSpacing: 9, ink: 0xff0000, irregularity: 0 })).toBe(key({}));
     const keys = [
       key({}),
       key({ lineField: 'x' }),

@@ -49,7 +49,7 @@ describe('HatchingOutlineNodeMaterial', () => {
     expect(other.customProgramCacheKey()).toBe(one.customProgramCacheKey());
   });
 
-  test.each(['wobble', 'tooth'] as const)(
+  test.each(['wobble', 'paperGrain'] as const)(
     '%s takes another program where it begins, and the first where it ends',
     (name) => {
       const material = new HatchingOutlineNodeMaterial();
@@ -89,7 +89,7 @@ describe('HatchingOutlineNodeMaterial', () => {
     expect(hidden.opacity).toBe(0.4);
     expect(hidden.customProgramCacheKey()).not.toBe(material.customProgramCacheKey());
     expect(material.ofHidden()).toBe(hidden);
-    material.tooth = 0.5;
+    material.paperGrain = 0.5;
     const { version } = hidden;
     material.ofHidden();
     expect(hidden.version).toBeGreaterThan(version);

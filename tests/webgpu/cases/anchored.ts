@@ -3,7 +3,7 @@ import { type HatchingMaterialParameters, prepareHatchingGeometry } from 'three-
 import { knot } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
-const STROKES = { technique: 'anchored', strokeLayers: 'single', sizedOnScreen: 0, exposure: 1 } as const;
+const STROKES = { technique: 'anchored', strokeLayers: 'single', screenSpaceShare: 0, exposure: 1 } as const;
 
 const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
   knot(await kit.hatching({ ...STROKES, ...parameters }));
@@ -11,21 +11,21 @@ const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
 /** Edges of strokes are as wide as screen-space derivatives, which WebGPU takes from other pixels: only mean tones are compared there. */
 export const cases: readonly SceneCase[] = [
   { name: 'strokes on the object', onWebGPU: 'tone', show: (kit) => drawn(kit) },
-  { name: 'strokes sized on the screen', onWebGPU: 'tone', show: (kit) => drawn(kit, { sizedOnScreen: 1 }) },
-  { name: 'strokes sized half on the screen', onWebGPU: 'tone', show: (kit) => drawn(kit, { sizedOnScreen: 0.5 }) },
+  { name: 'strokes sized on the screen', onWebGPU: 'tone', show: (kit) => drawn(kit, { screenSpaceShare: 1 }) },
+  { name: 'strokes sized half on the screen', onWebGPU: 'tone', show: (kit) => drawn(kit, { screenSpaceShare: 0.5 }) },
   { name: 'three layers', onWebGPU: 'tone', show: (kit) => drawn(kit, { strokeLayers: 'tone', crossFrom: 0.3 }) },
   {
     name: 'strokes on the sheet',
     onWebGPU: 'tone',
 
-    show: (kit) => drawn(kit, { strokeField: 'sheet', strokeRotation: 0.3 }),
+    show: (kit) => drawn(kit, { strokeField: 'sheet', strokeAngle: 0.3 }),
   },
   { name: 'hard edges', show: (kit) => drawn(kit, { edgePixels: 1e-6 }) },
   {
     name: 'strokes along the form, three layers',
     onWebGPU: 'tone',
     async show(kit) {
-      const stage = await drawn(kit, { strokeField: 'form', strokeLayers: 'tone', sizedOnScreen: 1 });
+      const stage = await drawn(kit, { strokeField: 'form', strokeLayers: 'tone', screenSpaceShare: 1 });
       stage.mesh.geometry = await prepareHatchingGeometry(stage.mesh.geometry, { form: true });
       return stage;
     },
@@ -34,7 +34,7 @@ export const cases: readonly SceneCase[] = [
     name: 'strokes across the form',
     onWebGPU: 'tone',
     async show(kit) {
-      const stage = await drawn(kit, { strokeField: 'acrossForm', sizedOnScreen: 1 });
+      const stage = await drawn(kit, { strokeField: 'acrossForm', screenSpaceShare: 1 });
       stage.mesh.geometry = await prepareHatchingGeometry(stage.mesh.geometry, { form: true });
       return stage;
     },

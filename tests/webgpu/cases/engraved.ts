@@ -39,7 +39,7 @@ export const cases: readonly SceneCase[] = [
         ...stage,
         change() {
           material.ink.set(0x2040a0);
-          Object.assign(material, { crossFrom: 0.3, handmade: 0.8, lineSpacing: 9, toneModel: 'halfLambert' });
+          Object.assign(material, { crossFrom: 0.3, irregularity: 0.8, lineSpacing: 9, toneModel: 'halfLambert' });
         },
       };
     },

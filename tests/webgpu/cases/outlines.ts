@@ -84,7 +84,7 @@ export const cases: readonly SceneCase[] = [
   },
   {
     name: 'chalk, by an unsteady hand',
-    show: show({ outlineWidth: 9, tooth: 0.8, toothSize: 4, wobble: 1 }),
+    show: show({ outlineWidth: 9, paperGrain: 0.8, paperGrainSize: 4, wobble: 1 }),
   },
   {
     name: 'hidden outlines, dashed',

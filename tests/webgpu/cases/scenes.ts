@@ -53,7 +53,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'its colours filled, half of their tone kept, far things fainter',
     show: (kit) =>
-      hatched(kit, { material: { ...LINES, colorFill: 1, localTone: 0.5, depthFade: 0.8, lineField: 'towards' } }),
+      hatched(kit, { material: { ...LINES, colorFill: 1, colorHatching: 0.5, depthFade: 0.8, lineField: 'towards' } }),
   },
   {
     name: 'lines along the form',
@@ -73,7 +73,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'a scene with hollows',
     async show(kit) {
-      const stage = await hatched(kit, { material: { ...LINES, occlusion: 0.9, hollowTone: 0.8 } });
+      const stage = await hatched(kit, { material: { ...LINES, occlusion: 0.9, hollowStrength: 0.8 } });
       await bakeOcclusion(stage.scene);
       return stage;
     },

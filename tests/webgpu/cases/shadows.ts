@@ -25,7 +25,8 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'strokes of a pen that cross in a shadow',
     shadows: PCFShadowMap,
-    show: (kit) => onGround(kit, { ...LINES, shadowStrokes: 'cross', medium: 'pen', localTone: 0.5, color: 0x888888 }),
+    show: (kit) =>
+      onGround(kit, { ...LINES, shadowStrokes: 'cross', medium: 'pen', colorHatching: 0.5, color: 0x888888 }),
   },
   {
     name: 'anchored strokes that cross in a shadow',

@@ -51,7 +51,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'an orthographic camera',
     async show(kit) {
-      const stage = await drawn(kit, { sizedOnScreen: 1 });
+      const stage = await drawn(kit, { screenSpaceShare: 1 });
       const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 20);
       camera.position.set(0.6, 0.3, 4);
       camera.lookAt(0, 0, 0);
@@ -69,7 +69,7 @@ export const cases: readonly SceneCase[] = [
       return stage;
     },
   },
-  { name: 'a map of colours', show: (kit) => drawn(kit, { map: colors(), colorFill: 1, localTone: 0.6 }) },
+  { name: 'a map of colours', show: (kit) => drawn(kit, { map: colors(), colorFill: 1, colorHatching: 0.6 }) },
   {
     name: 'holes of an alpha map',
     show: (kit) =>
@@ -81,7 +81,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'colours of vertices, and light of its own',
     async show(kit) {
-      const stage = await drawn(kit, { vertexColors: true, colorFill: 1, localTone: 0.5, emissive: 0x302010 });
+      const stage = await drawn(kit, { vertexColors: true, colorFill: 1, colorHatching: 0.5, emissive: 0x302010 });
       const geometry = new SphereGeometry(0.9, 48, 32);
       const { count } = geometry.attributes.position;
       const values = Float32Array.from({ length: 3 * count }, (_, i) => 0.5 + 0.5 * Math.sin(0.05 * i));

@@ -12,7 +12,10 @@ import { alternate, type Effort, type Side, type Times } from './alternate.js';
 import { type Library, loadLibraries } from './loadLibraries.js';
 
 /** Names that libraries had before; null for a value that they had where nothing was set. */
-const FORMER_NAMES: Readonly<Record<string, string | null>> = { sizedOnScreen: 'screenConstancy', strokeWidth: null };
+const FORMER_NAMES: Readonly<Record<string, string | null>> = {
+  screenSpaceShare: 'screenConstancy',
+  strokeWidth: null,
+};
 
 /** The plain look of a technique, in the names that a library knows: defaults differ from commit to commit. */
 function lookOf(
@@ -21,7 +24,7 @@ function lookOf(
   { tonalArtMap }: HatchingMaterial,
 ): HatchingMaterialParameters {
   const look = plainLook({ technique, tonalArtMap });
-  const isFormer = !('sizedOnScreen' in Material.prototype);
+  const isFormer = !('screenSpaceShare' in Material.prototype);
   const named = Object.entries(look).flatMap(([name, value]) => {
     const known = isFormer && name in FORMER_NAMES ? FORMER_NAMES[name] : name;
     return known === null ? [] : [[known, value]];

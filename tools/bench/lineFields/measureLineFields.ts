@@ -16,8 +16,8 @@ export interface LineFieldTimes {
 /** The ways in which lines are drawn: on the object, as dense on the screen as asked, and crossed in the darks. */
 const WAYS: Readonly<Record<string, HatchingMaterialParameters>> = {
   'on the object': {},
-  'on the screen': { sizedOnScreen: 1 },
-  crossed: { sizedOnScreen: 1, shadowStrokes: 'cross' },
+  'on the screen': { screenSpaceShare: 1 },
+  crossed: { screenSpaceShare: 1, shadowStrokes: 'cross' },
 };
 
 export async function measureLineFields(model: string, turns: number, size: number): Promise<LineFieldTimes> {

@@ -21,7 +21,7 @@ export async function measureMedia(model: string, turns: number, size: number): 
   const geometry = await prepareHatchingGeometry(plain, { layout: 'indexed' });
   const tonalArtMap = await TonalArtMap.generate();
   const sized = (parameters: HatchingMaterialParameters): Mesh =>
-    new Mesh(geometry, new HatchingMaterial(plainLook({ sizedOnScreen: 1, ...parameters })));
+    new Mesh(geometry, new HatchingMaterial(plainLook({ screenSpaceShare: 1, ...parameters })));
   const meshes = {
     ink: sized({ technique: 'anchored', tonalArtMap }),
     dry: sized({ technique: 'anchored', tonalArtMap, medium: 'dry' }),

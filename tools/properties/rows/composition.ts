@@ -14,9 +14,9 @@ export const COMPOSITION = {
     uniform: false,
     techniques,
     sentence:
-      "How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFar`. `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere ([composition.md](composition.md)).",
+      "How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`. `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere ([composition.md](composition.md)).",
   },
-  depthNear: {
+  depthFadeStart: {
     kind: 'number',
     group: 'Composition',
     default: 0,
@@ -26,7 +26,7 @@ export const COMPOSITION = {
     when: { depthFade: { not: 0 } },
     sentence: 'Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest.',
   },
-  depthFar: {
+  depthFadeEnd: {
     kind: 'number',
     group: 'Composition',
     default: 1,

@@ -21,7 +21,7 @@ export const MEDIUM = {
     sentence:
       "What strokes are drawn with ([media.md](media.md)). The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'pen'` and `'woodcut'` are for `engraved`; a technique draws in ink with what is not for it.",
   },
-  tooth: {
+  paperGrain: {
     kind: 'number',
     group: 'Medium',
     default: 0.4,
@@ -32,7 +32,7 @@ export const MEDIUM = {
     sentence:
       'How strongly the tooth of the paper breaks up the strokes of a dry medium: at 0 strokes are smooth, at 1 only grain is left.',
   },
-  toothSize: {
+  paperGrainSize: {
     kind: 'number',
     group: 'Medium',
     default: 2.5,

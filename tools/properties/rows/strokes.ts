@@ -22,16 +22,16 @@ export const STROKES = {
     default: 'anchored',
     sentence: 'How strokes are laid on the surface.',
   },
-  tilesPerUnit: {
+  tilesPerObjectUnit: {
     kind: 'number',
     group: 'Strokes',
     default: 3,
-    measure: 'tilesPerUnit',
+    measure: 'tilesPerObjectUnit',
     range: { above: 0 },
-    when: { sizedOnScreen: { not: 1 } },
+    when: { screenSpaceShare: { not: 1 } },
     sentence: 'Size of the strokes: larger is finer.',
   },
-  strokeRotation: {
+  strokeAngle: {
     kind: 'number',
     group: 'Strokes',
     default: 0,
@@ -88,7 +88,7 @@ export const STROKES = {
     techniques: ['triangle', 'adjacency'],
     sentence: 'What chooses the level of the map. `anchored` always goes by depth.',
   },
-  sizedOnScreen: {
+  screenSpaceShare: {
     kind: 'number',
     group: 'Strokes',
     default: 1,
@@ -96,7 +96,7 @@ export const STROKES = {
     range: { from: 0, to: 1 },
     techniques: ['anchored', 'engraved'],
     sentence:
-      'What strokes are sized on: 0 the object, by `tilesPerUnit`; 1 the screen, by `strokeWidth`, without popping. In between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
+      'What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping. In between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
   },
   strokeWidth: {
     kind: 'number',
@@ -122,7 +122,7 @@ export const STROKES = {
     sentence:
       'Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have `softness` instead.',
   },
-  anchorSpacing: {
+  latticeSpacing: {
     kind: 'number',
     group: 'Strokes',
     default: 0.4,
@@ -143,7 +143,7 @@ export const STROKES = {
       form: 'a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks, whatever the light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
       acrossForm: 'the same function: strokes lie across its level lines at a right angle, along limbs.',
       sheet:
-        'the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeRotation` to the horizontal. They turn with the camera, and not with the light.',
+        'the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeAngle` to the horizontal. They turn with the camera, and not with the light.',
     },
     default: 'light',
     techniques: ['anchored'],
@@ -181,9 +181,9 @@ export const STROKES = {
     range: { above: 0 },
     techniques: ['engraved'],
     sentence:
-      'Distance between lines. Where that is less than `finestSpacing`, every other line is left out. As the camera comes nearer new lines appear between them, thin at first.',
+      'Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes nearer new lines appear between them, thin at first.',
   },
-  finestSpacing: {
+  minLineSpacing: {
     kind: 'number',
     group: 'Strokes',
     default: 3,
@@ -246,7 +246,7 @@ export const STROKES = {
     sentence:
       "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines of `engraved` and those that cut the lines across them; lines that follow the form cross as they were baked. 60° is a pen's, 90° an engraver's.",
   },
-  handmade: {
+  irregularity: {
     kind: 'number',
     group: 'Strokes',
     default: 0.4,

@@ -158,7 +158,7 @@ export const TONE = {
     sentence:
       'Strength of the ambient occlusion that `bakeOcclusion` has baked ([composition.md](composition.md#ambient-occlusion)): cavities, folds and contacts are darker under any light. Without such a bake it does nothing.',
   },
-  hollowTone: {
+  hollowStrength: {
     kind: 'number',
     group: 'Tone',
     default: 0,
@@ -169,7 +169,7 @@ export const TONE = {
     sentence:
       'How far hollows that `occlusion` knows of are brought to the darkest tone, under any light: sockets, nostrils, the parting of lips, undercuts and contacts. At 0 they only lose light.',
   },
-  localTone: {
+  colorHatching: {
     kind: 'number',
     group: 'Tone',
     default: 0,
@@ -178,7 +178,7 @@ export const TONE = {
     sentence:
       "How much of the darkness of the surface's own colour (`color`, `map` and vertices) is hatched: at 1 a colour that looks half as light as white (CIE lightness) brings the tone half way to the darkest. White is left as it is. Presets draw colours by it in ink alone, with a `colorFill` of 0.",
   },
-  highlightTone: {
+  highlightThreshold: {
     kind: 'number',
     group: 'Tone',
     default: 0,
@@ -194,7 +194,7 @@ export const TONE = {
     measure: 'share',
     range: { from: 0, to: 1 },
     uniform: false,
-    when: { highlightTone: { not: 0 } },
-    sentence: 'How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightTone`.',
+    when: { highlightThreshold: { not: 0 } },
+    sentence: 'How soft that edge is: 0 is sharp; at 1 the tone fades in from nothing to twice `highlightThreshold`.',
   },
 } as const satisfies Record<string, PropertyRow>;

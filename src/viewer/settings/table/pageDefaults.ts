@@ -6,8 +6,8 @@ export const PAGE_DEFAULTS = {
   ink: '#1c1a17',
   paper: '#f7f3e8',
   // Strokes lie on the object, as in the paper by Suarez et al., and cross where lights do.
-  sizedOnScreen: 0,
-  tilesPerUnit: 2.5,
+  screenSpaceShare: 0,
+  tilesPerObjectUnit: 2.5,
   strokeLayers: 'lights',
   // As engraved lines cross; anchored strokes do so in deeper shade.
   crossFrom: 52,
@@ -19,6 +19,6 @@ export const PAGE_DEFAULTS = {
   lightStrength: 115,
   // Baking takes seconds, so that it waits until it is asked for.
   occlusion: 0,
-  hollowTone: 0,
+  hollowStrength: 0,
   focusRadius: 0.5,
 } as const;

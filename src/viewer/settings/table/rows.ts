@@ -128,7 +128,7 @@ export const UNITS: Readonly<Record<HatchingMeasure, Unit>> = {
   },
   tiles: asIs('tiles', 0.01),
   tileParts: asIs('/256 tile', 0.1),
-  tilesPerUnit: asIs('tiles', 0.1),
+  tilesPerObjectUnit: asIs('tiles', 0.1),
   share: PERCENT,
   depths: PERCENT,
   worldUnits: asIs('radii', 0.01),

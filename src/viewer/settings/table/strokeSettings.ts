@@ -59,12 +59,12 @@ const STYLES = {
   file: 'Your own',
 } as const satisfies Record<StrokeStyleName | 'ownHand' | 'file', string>;
 
-/** The values of `strokeRotation` that have a name on the page. */
-export const STROKE_ROTATIONS = { along: 0, towards: Math.PI / 2 } as const;
+/** The values of `strokeAngle` that have a name on the page. */
+export const STROKE_ANGLES = { along: 0, towards: Math.PI / 2 } as const;
 
-/** The name of a `strokeRotation`. */
-export const strokeDirectionOf = (rotation: unknown): keyof typeof STROKE_ROTATIONS | 'angle' =>
-  rotation === STROKE_ROTATIONS.along ? 'along' : rotation === STROKE_ROTATIONS.towards ? 'towards' : 'angle';
+/** The name of a `strokeAngle`. */
+export const strokeDirectionOf = (rotation: unknown): keyof typeof STROKE_ANGLES | 'angle' =>
+  rotation === STROKE_ANGLES.along ? 'along' : rotation === STROKE_ANGLES.towards ? 'towards' : 'angle';
 
 /** The technique, and the main choices that go with it. */
 export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
@@ -107,15 +107,15 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
   strokeDirection: {
     kind: 'choice',
     label: 'Direction',
-    partOf: 'strokeRotation',
+    partOf: 'strokeAngle',
     yieldsTo: 'lineField',
-    default: strokeDirectionOf(libraryDefault('strokeRotation')),
+    default: strokeDirectionOf(libraryDefault('strokeAngle')),
     choices: { along: 'Around the light', towards: 'Towards the light', angle: 'At an angle' },
   },
   strokeAngle: {
     kind: 'number',
     label: 'Angle',
-    partOf: 'strokeRotation',
+    partOf: 'strokeAngle',
     yieldsTo: 'lineField',
     when: { strokeDirection: ['angle'] },
     default: 45,
@@ -147,12 +147,12 @@ const offset = (label: string) =>
 
 /** The strokes and their tonal art map. */
 export const STROKE_SETTINGS = inGroup('More', 'hand', {
-  sizedOnScreen: numberOf('sizedOnScreen', {
+  screenSpaceShare: numberOf('screenSpaceShare', {
     label: 'Stroke size',
     ends: ['on the object', 'on the screen'],
   }),
   strokeWidth: numberOf('strokeWidth', { label: 'Stroke width', min: 0.5, max: 8 }),
-  tilesPerUnit: numberOf('tilesPerUnit', {
+  tilesPerObjectUnit: numberOf('tilesPerObjectUnit', {
     label: 'Stroke scale',
     min: 0.5,
     max: 8,
@@ -167,8 +167,8 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
   }),
   crossFrom: numberOf('crossFrom', { label: 'Crossing from' }),
   crossAngle: numberOf('crossAngle', { label: 'Crossing at', min: 10 }),
-  handmade: numberOf('handmade', { label: 'Handmade' }),
-  anchorSpacing: numberOf('anchorSpacing', { label: 'Anchors', min: 0.1, max: 1 }),
+  irregularity: numberOf('irregularity', { label: 'Irregularity' }),
+  latticeSpacing: numberOf('latticeSpacing', { label: 'Anchors', min: 0.1, max: 1 }),
   edge: numberOf('edgePixels', { label: 'Soft edge', max: 4 }),
   medium: choiceOf('medium', {
     label: 'Medium',
@@ -180,8 +180,8 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
       woodcut: 'Cut white out of black',
     },
   }),
-  tooth: numberOf('tooth', { label: 'Paper tooth' }),
-  toothSize: numberOf('toothSize', { label: 'Tooth size', min: 0.5, max: 12 }),
+  paperGrain: numberOf('paperGrain', { label: 'Paper grain' }),
+  paperGrainSize: numberOf('paperGrainSize', { label: 'Grain size', min: 0.5, max: 12 }),
   softness: numberOf('softness', { label: 'Softness' }),
   smudge: numberOf('smudge', { label: 'Smudge' }),
   offsetU: offset('Shift along'),

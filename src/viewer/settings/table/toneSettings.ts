@@ -42,8 +42,8 @@ export const TONE_SETTINGS = inGroup('Tone', 'hand', {
     },
   },
   blendAngle: numberOf('blendAngle', { label: 'Blend up to' }),
-  highlightTone: numberOf('highlightTone', { label: 'Blank below', max: 60 }),
-  localTone: numberOf('localTone', { label: 'Local tone', ends: ['white', 'by colour'] }),
+  highlightThreshold: numberOf('highlightThreshold', { label: 'Blank below', max: 60 }),
+  colorHatching: numberOf('colorHatching', { label: 'Local tone', ends: ['white', 'by colour'] }),
 });
 
 /** Colours of ink, paper and surfaces. */
@@ -135,7 +135,7 @@ export const LIGHT_SETTINGS = inGroup('Light', 'subject', {
   spotSoftness: percent('Spot softness', 30, { when: SPOT }),
   reflectedLight: numberOf('reflectedLight', { label: 'Reflected', owner: 'hand', max: 60 }),
   occlusion: numberOf('occlusion', { label: 'Dark hollows', owner: 'scene', step: 5 }),
-  hollowTone: numberOf('hollowTone', {
+  hollowStrength: numberOf('hollowStrength', {
     label: 'Their depths',
     owner: 'hand',
     ends: ['as lit', 'darkest'],
@@ -222,8 +222,14 @@ export const COMPOSITION_SETTINGS = inGroup('Composition', 'scene', {
     choices: { auto: 'Fades in deep scenes', on: 'Fades', off: 'Does not fade' },
   },
   depthStrength: percent('Fades by', 70, { partOf: 'depthFade', when: FADING }),
-  depthNear: numberOf('depthNear', { label: 'From', when: FADING, min: 0, max: 100, ends: ['front', 'back'] }),
-  depthFar: numberOf('depthFar', { label: 'Up to', when: FADING, min: 0, max: 200, ends: ['front', 'beyond'] }),
+  depthFadeStart: numberOf('depthFadeStart', {
+    label: 'From',
+    when: FADING,
+    min: 0,
+    max: 100,
+    ends: ['front', 'back'],
+  }),
+  depthFadeEnd: numberOf('depthFadeEnd', { label: 'Up to', when: FADING, min: 0, max: 200, ends: ['front', 'beyond'] }),
   focus: {
     kind: 'choice',
     label: 'Focus',

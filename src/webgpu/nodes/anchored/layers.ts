@@ -3,21 +3,21 @@ import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { type Input, tsl, type Value } from '../base/values.js';
 import { leftOf, takenOf } from '../chunks/crossedTones.js';
-import { tilesPerUnit } from '../chunks/thresholdMap.js';
+import { tilesPerObjectUnit } from '../chunks/thresholdMap.js';
 import type { HatchingParameters } from './read.js';
 
 const { float, max, pow, vec3 } = tsl;
 
 /** Counterpart of shaders/techniques/anchored/layers.glsl: the same place in other layers of strokes. */
 
-export const anchorSpacing: Value = /* @__PURE__ */ hatchingUniform('anchorSpacing', 'float');
+export const latticeSpacing: Value = /* @__PURE__ */ hatchingUniform('latticeSpacing', 'float');
 
 export const crossingOf = ({ crossing }: HatchingParameters): Value => crossing;
 
 /** The same place in another layer, whose strokes are turned. @param turn cosine and sine of the angle */
 function turnedLayer(h: HatchingParameters, layer: number, [x, y]: readonly [Input, Input]): HatchingParameters {
   const { uAxis, vAxis, lean } = h;
-  const shift = vec3(...TONE_CONSTANTS.LAYER_SHIFT).mul(anchorSpacing.div(tilesPerUnit).mul(layer));
+  const shift = vec3(...TONE_CONSTANTS.LAYER_SHIFT).mul(latticeSpacing.div(tilesPerObjectUnit).mul(layer));
   return {
     ...h,
     point: h.point.add(shift).toVar(),

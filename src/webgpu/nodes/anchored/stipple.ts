@@ -14,7 +14,7 @@ import {
   screenMapOf,
   viewUnitsPerPixel,
 } from '../chunks/screenGradient.js';
-import { tilesPerUnit } from '../chunks/thresholdMap.js';
+import { tilesPerObjectUnit } from '../chunks/thresholdMap.js';
 import type { HatchingParameters } from './read.js';
 
 const { abs, clamp, cross, dot, exp2, float, floor, fract, If, int, inverseSqrt, ivec2, length, log2, Loop, max } = tsl;
@@ -137,7 +137,7 @@ function dotsAt(at: Value, { gradientU, gradientV, area }: PlaneOnScreen, octave
  * its faces, edges and corners.
  */
 
-const sizedOnScreen = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');
+const screenSpaceShare = /* @__PURE__ */ hatchingUniform('screenSpaceShare', 'float');
 const dotPixels = /* @__PURE__ */ hatchingUniform('dotPixels', 'float');
 
 /** Components of unit vectors along the diagonals of a square and of a cube: 1/√2 and 1/√3. */
@@ -210,12 +210,12 @@ function coverOf(tone: Value): Value {
 
 /** The logarithm to base 2 of cells per object unit at which dots cover half. */
 function octaveOf({ area }: PlaneOnScreen): Value {
-  const onObject = log2(tilesPerUnit.mul(DOTS_PER_TILE));
+  const onObject = log2(tilesPerObjectUnit.mul(DOTS_PER_TILE));
   const onScreen = log2(max(abs(area), 1e-30))
     .mul(-0.5)
     .sub(log2(dotPixels.div(DOT_SHARE)))
     .toVar();
-  return mix(min(onObject, onScreen), onScreen, sizedOnScreen);
+  return mix(min(onObject, onScreen), onScreen, screenSpaceShare);
 }
 
 /** The share that the dots of the plane across an axis cover. */
@@ -226,7 +226,7 @@ function dotsAcross(point: Value, axis: Value, cover: Value, onScreen: ScreenMap
   const dense = log2(max(cover, LEAST_DENSE_SHARE).oneMinus()).negate();
   const crowding = log2(dense).mul(0.5 * CROWDING);
   const [x, y, z] = SET_SHIFT;
-  const shift = vec2(dot(axis, vec3(x, y, z)), dot(axis, vec3(y, z, x))).div(tilesPerUnit);
+  const shift = vec2(dot(axis, vec3(x, y, z)), dot(axis, vec3(y, z, x))).div(tilesPerObjectUnit);
   const place = vec2(dot(point, u), dot(point, v)).add(shift).toVar();
   return dotsAt(place, plane, octaveOf(plane).add(crowding).toVar(), cover);
 }

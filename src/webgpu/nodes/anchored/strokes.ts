@@ -12,10 +12,10 @@ import {
   levelFor,
   type ThresholdLevel,
   thresholdMapSize,
-  tilesPerUnit,
+  tilesPerObjectUnit,
 } from '../chunks/thresholdMap.js';
 import { vUnitsPerPixel } from './emit.js';
-import { anchorSpacing } from './layers.js';
+import { latticeSpacing } from './layers.js';
 import type { HatchingParameters } from './read.js';
 
 const { ceil, dot, exp2, float, floor, fwidth, If, int, inverseSqrt, ivec3, log2, max, select, smoothstep, uint } = tsl;
@@ -98,7 +98,7 @@ function nearestAnchors(x: Value, lattice: Value): LatticeAnchors {
  * fixed to the object sample the threshold map; the fields are blended, and then compared with the tone once.
  */
 
-const sizedOnScreen = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');
+const screenSpaceShare = /* @__PURE__ */ hatchingUniform('screenSpaceShare', 'float');
 
 /** Octaves between the lattices of strokes that are sized on the screen. */
 const LATTICE_OCTAVES = 1;
@@ -120,15 +120,15 @@ export interface StrokeDefines {
 
 /** The g of one lattice's blended field. */
 function latticeField(h: HatchingParameters, lattice: Value, level: ThresholdLevel, isUpToSign: boolean): Value {
-  const scale = tilesPerUnit.mul(exp2(lattice.mul(LATTICE_OCTAVES))).div(anchorSpacing);
+  const scale = tilesPerObjectUnit.mul(exp2(lattice.mul(LATTICE_OCTAVES))).div(latticeSpacing);
   const { offsets, weights, hashes } = nearestAnchors(h.point.mul(scale).toVar(), lattice);
   const bitsFrom = (shift: number, mask: number): Value =>
     vec4(hashes.shiftRight(uvec4(shift)).bitAnd(uvec4(mask))).toVar();
   // Strokes stay where B turns into −B: the map is symmetric about its centre, and is shifted by half tiles only.
   const shiftU = isUpToSign ? bitsFrom(0, 1).mul(0.5) : bitsFrom(0, 0xffff).mul(1 / 65536);
   const shiftV = isUpToSign ? bitsFrom(16, 1).mul(0.5) : bitsFrom(16, 0xffff).mul(1 / 65536);
-  const along = vec4(...offsets.map((offset) => dot(h.uAxis, offset))).mul(anchorSpacing);
-  const across = vec4(...offsets.map((offset) => dot(h.vAxis, offset))).mul(anchorSpacing);
+  const along = vec4(...offsets.map((offset) => dot(h.uAxis, offset))).mul(latticeSpacing);
+  const across = vec4(...offsets.map((offset) => dot(h.vAxis, offset))).mul(latticeSpacing);
   // One bit of each word mirrors its strokes.
   const mirrored = bitsFrom(15, 1).mul(2).oneMinus();
   const u = along.mul(mirrored).add(shiftU).toVar();
@@ -150,11 +150,11 @@ function anchoredField(
   isInked: Value,
   { isSizedOnScreen, isUpToSign }: StrokeDefines,
 ): { field: HatchField; crowding: Value } {
-  // Octaves by which the map at `tilesPerUnit` is magnified: above 0 near, below 0 far away.
+  // Octaves by which the map at `tilesPerObjectUnit` is magnified: above 0 near, below 0 far away.
   const magnification = levelByDepth(thresholdMapSize, vUnitsPerPixel).negate().toVar();
   const foreshortened = foreshortenedOctaves(h.lean);
   const beyond = max(foreshortened.sub(FREE_CROWDING), 0);
-  const wanted = isSizedOnScreen ? sizedOnScreen.mul(magnification).div(LATTICE_OCTAVES).toVar() : float(0);
+  const wanted = isSizedOnScreen ? screenSpaceShare.mul(magnification).div(LATTICE_OCTAVES).toVar() : float(0);
   const lattice = isSizedOnScreen ? ceil(wanted).toVar() : float(0).toVar();
   const faceOn = lattice.mul(LATTICE_OCTAVES).sub(magnification).toVar();
   const octaves = faceOn.add(beyond).toVar();

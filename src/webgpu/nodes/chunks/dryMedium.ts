@@ -12,7 +12,7 @@ const { dot, fract, inverseSqrt, max, mix, pow, select, smoothstep, vec2 } = tsl
  * tone, and depends on the tooth of the paper.
  */
 
-const tooth = /* @__PURE__ */ hatchingUniform('tooth', 'float');
+const paperGrain = /* @__PURE__ */ hatchingUniform('paperGrain', 'float');
 const softness = /* @__PURE__ */ hatchingUniform('softness', 'float');
 const smudge = /* @__PURE__ */ hatchingUniform('smudge', 'float');
 
@@ -29,7 +29,7 @@ const PRESSED = [0.5, 0.25] as const;
 export function inkAt(field: HatchField, tone: Value, crowding: Value, pixel: Value): Value {
   const squared = tone.mul(tone).toVar();
   // With tooth 1, grain is not reduced.
-  const grain = tooth.mul(squared.mul(PRESSED[0]).mul(tooth.oneMinus()).oneMinus()).toVar();
+  const grain = paperGrain.mul(squared.mul(PRESSED[0]).mul(paperGrain.oneMinus()).oneMinus()).toVar();
   // A smudged tone and a drawn one, printed over one another, give the tone.
   const blank = max(tone.oneMinus(), 1e-6).toVar();
   const share = smudge.mul(squared.mul(PRESSED[1]).oneMinus()).toVar();
@@ -56,7 +56,7 @@ export function inkAt(field: HatchField, tone: Value, crowding: Value, pixel: Va
 
 const toothMap = /* @__PURE__ */ hatchingTexture('toothMap', blankTooth);
 const toothOffset = /* @__PURE__ */ hatchingUniform('toothOffset', 'vec2');
-const toothSize = /* @__PURE__ */ hatchingUniform('toothSize', 'float');
+const paperGrainSize = /* @__PURE__ */ hatchingUniform('paperGrainSize', 'float');
 
 /** The share of variance that neighbouring texels of the map do not share. */
 const TOOTH_UNSHARED = 3 / 19;
@@ -89,10 +89,10 @@ function toothOf(pixel: Value, size: Value): Value {
 
 /** @param pixel of the render target, counted from the lower left */
 export function toothField(pixel: Value): Value {
-  const detail = smoothstep(DETAIL_FROM, DETAIL_TO, toothSize).mul(DETAIL).toVar();
-  const coarse = toothOf(pixel, toothSize).toVar();
+  const detail = smoothstep(DETAIL_FROM, DETAIL_TO, paperGrainSize).mul(DETAIL).toVar();
+  const coarse = toothOf(pixel, paperGrainSize).toVar();
   // At another scale the map counts as independent: variances add.
-  const fine = detail.mul(toothOf(pixel, toothSize.div(DETAIL_FINER)));
+  const fine = detail.mul(toothOf(pixel, paperGrainSize.div(DETAIL_FINER)));
   const both = coarse.add(fine).mul(inverseSqrt(detail.mul(detail).add(1)));
   return select(detail.equal(0), coarse, both);
 }

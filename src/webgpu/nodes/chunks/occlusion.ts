@@ -37,7 +37,7 @@ export function emitOcclusion(builder: NodeBuilder): void {
 /** Counterpart of shaders/chunks/occlude.glsl: the light that ambient occlusion takes. */
 
 const occlusion = /* @__PURE__ */ hatchingUniform('occlusion', 'float');
-const hollowTone = /* @__PURE__ */ hatchingUniform('hollowTone', 'float');
+const hollowStrength = /* @__PURE__ */ hatchingUniform('hollowStrength', 'float');
 
 /** The share of ambient light that is left. */
 export const openToSky = (): Value => occlusion.mul(vOcclusion).oneMinus();
@@ -50,4 +50,4 @@ export const openToLights = (): Value =>
     .oneMinus();
 
 /** The darkness of deep hollows, which light does not lessen. */
-export const hollowness = (): Value => hollowTone.mul(occlusion).mul(smoothstep(HOLLOW[0], HOLLOW[1], vOcclusion));
+export const hollowness = (): Value => hollowStrength.mul(occlusion).mul(smoothstep(HOLLOW[0], HOLLOW[1], vOcclusion));

@@ -6,12 +6,12 @@ const { clamp, dot, exp2, floor, fract, inverseSqrt, log2, min, mix, vec2, vec3,
 
 /** Counterpart of shaders/chunks/levelByDepth.glsl: the level of a map by the depth of the fragment. */
 
-export const tilesPerUnit: Value = /* @__PURE__ */ hatchingUniform('tilesPerUnit', 'float');
+export const tilesPerObjectUnit: Value = /* @__PURE__ */ hatchingUniform('tilesPerObjectUnit', 'float');
 const texelPixels = /* @__PURE__ */ hatchingUniform('texelPixels', 'float');
 
 /** The level of a map for the depth of the fragment (paper, section 3.4). @param size texels per tile */
 export const levelByDepth = (size: Value, unitsPerPixel: Value): Value =>
-  log2(tilesPerUnit.mul(unitsPerPixel).mul(size).mul(texelPixels)).toVar();
+  log2(tilesPerObjectUnit.mul(unitsPerPixel).mul(size).mul(texelPixels)).toVar();
 
 /**
  * Counterpart of shaders/chunks/thresholdMap.glsl. The threshold map has the tone from which on each texel of the hatch is ink. Its levels

@@ -118,7 +118,7 @@ export function curvedTone(tone: Value, curve: number): Value {
 
 /** Counterpart of shaders/chunks/localColor.glsl: the tone and the tint of the surface's own colour. */
 
-const localTone = /* @__PURE__ */ hatchingUniform('localTone', 'float');
+const colorHatching = /* @__PURE__ */ hatchingUniform('colorHatching', 'float');
 const colorExposure = /* @__PURE__ */ hatchingUniform('colorExposure', 'float');
 const colorFill = /* @__PURE__ */ hatchingUniform('colorFill', 'float');
 
@@ -126,7 +126,7 @@ const colorFill = /* @__PURE__ */ hatchingUniform('colorFill', 'float');
 export function localDarkness(color: Value, emitted: Value): Value {
   const light = min(colorExposure.mul(lightness(clamp(lightLuminance(color), 0, 1))), 1);
   const unlit = clamp(lightLuminance(emitted), 0, 1).oneMinus();
-  return localTone.mul(light.oneMinus()).mul(unlit);
+  return colorHatching.mul(light.oneMinus()).mul(unlit);
 }
 
 export const filledColor = (color: Value): Value => mix(vec3(1), color, colorFill);

@@ -7,7 +7,7 @@ import { type Input, tsl, type Value } from '../base/values.js';
 const { abs, float, floatBitsToUint, fract, select, uint, vec3 } = tsl;
 const { BEND_PHASES, BENDS, BENT_BY, PRESSURE, SLOW_WAVES, STRAY, WAVE_PHASES, WIDTHS } = HAND_CONSTANTS;
 
-export const handmade: Value = /* @__PURE__ */ hatchingUniform('handmade', 'float');
+export const irregularity: Value = /* @__PURE__ */ hatchingUniform('irregularity', 'float');
 
 const halfOf = (numbers: readonly number[]): Value => {
   const [x, y, z] = numbers.map((number) => 0.5 * number);
@@ -34,9 +34,9 @@ export function slowWaves(p: Value): Value {
   );
 }
 
-export const handPoint = (point: Value, waves: Value): Value => point.add(waves.mul(handmade.mul(STRAY)));
+export const handPoint = (point: Value, waves: Value): Value => point.add(waves.mul(irregularity.mul(STRAY)));
 
-export const handPressure = (waves: Value): Value => handmade.mul(PRESSURE).mul(waves.x).mul(waves.y);
+export const handPressure = (waves: Value): Value => irregularity.mul(PRESSURE).mul(waves.x).mul(waves.y);
 
 export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(tone.oneMinus()));
 
@@ -59,6 +59,6 @@ export const turnOf = (line: Value): Value => select(line.equal(0), 0, hashBy(HA
 
 /** A factor on the width of a whole line; 1 in the mean. */
 export function handWidth(line: Value): Value {
-  const most = handmade.mul(WIDTHS);
+  const most = irregularity.mul(WIDTHS);
   return most.mul(hash01(line)).add(most.mul(0.5).oneMinus());
 }

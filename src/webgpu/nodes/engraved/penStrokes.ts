@@ -3,7 +3,7 @@ import { PEN_CONSTANTS } from '../../../look/constants/engravedConstants.js';
 import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
 import { lineCoverage } from '../base/maths.js';
 import { tsl, type Value } from '../base/values.js';
-import { handmade, hash01, turnOf } from './hand.js';
+import { hash01, irregularity, turnOf } from './hand.js';
 import type { Family, HatchingParameters } from './read.js';
 import { type Along, alongLines, differing, FRINGE, numberOf } from './strokeLengths.js';
 
@@ -118,7 +118,7 @@ function strokeOn(
   const taper = pen.open.mul(TAPER).toVar();
   const rest = clamp(taper.sub(inside).div(max(taper, 1e-3)), 0, 1).toVar();
   const there = grown.mul(clamp(born.sub(fract(even.mul(BIRTH_HASH))).div(BIRTH), 0, 1));
-  const spread = handmade
+  const spread = irregularity
     .mul(WIDTH_SPREAD)
     .mul(pen.open)
     .mul(fract(even.mul(WIDTH_HASH)).sub(0.5))
@@ -132,7 +132,7 @@ function strokeOn(
   );
   return vec2(
     pen.width.mul(there).mul(spread).mul(rest.mul(rest).oneMinus()),
-    handmade.mul(pen.open).mul(astray),
+    irregularity.mul(pen.open).mul(astray),
   ).toVar();
 }
 

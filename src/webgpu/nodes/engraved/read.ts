@@ -23,7 +23,7 @@ import {
   vForm,
   vFormCrossing,
 } from './fields.js';
-import { handmade, handPoint, handPressure, slowWaves } from './hand.js';
+import { handPoint, handPressure, irregularity, slowWaves } from './hand.js';
 
 const { cross, dot, float, If, length, max, min, mix, normalize, positionView, select, smoothstep, sqrt, vec2 } = tsl;
 const { vec3, vec4 } = tsl;
@@ -198,7 +198,7 @@ export function readFormLines(
   // Strokes and cuts have variations of their own.
   const differs = medium === 'pen' || medium === 'woodcut';
   const ofHand = handPressure(waves);
-  const pressure = differs ? ofHand : ofHand.add(handmade.mul(WIDTH_WAVE).mul(waves.z));
+  const pressure = differs ? ofHand : ofHand.add(irregularity.mul(WIDTH_WAVE).mul(waves.z));
   const values = [formValueAt(first, stray), formValueAt(crossing, stray)];
   const viewToField = objectToField.mul(readViewToAnchor(builder)).toVar();
   const onScreen = screenMap(normalize(vFieldNormal).toVar(), viewToField);

@@ -8,7 +8,7 @@ import { cutFor, cutWidth, rowOctaves } from './carving.js';
 import { handWidth, hash01 } from './hand.js';
 import { penCoverage, penFor } from './penStrokes.js';
 import type { Family, HatchingParameters } from './read.js';
-import { FRINGE, octaves, powerOf2, sizedOnScreen } from './strokeLengths.js';
+import { FRINGE, octaves, powerOf2, screenSpaceShare } from './strokeLengths.js';
 
 const { abs, ceil, clamp, float, floor, fract, int, Loop, max, min, mix, select } = tsl;
 
@@ -16,7 +16,7 @@ const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
 const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
 const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
 const shadowTone = /* @__PURE__ */ hatchingUniform('shadowTone', 'float');
-const finestSpacing = /* @__PURE__ */ hatchingUniform('finestSpacing', 'float');
+const minLineSpacing = /* @__PURE__ */ hatchingUniform('minLineSpacing', 'float');
 
 /**
  * A factor on the width of a line where a shadow dissolves: lines end one by one, instead of all thinning out together. The mean over all
@@ -74,7 +74,7 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value, m
   const wanted = h.shadowLeft ? lineSpacing.mul(shadowSpacing).toVar() : lineSpacing;
   const onObject = octaves(wanted.div(PARTS_OF_TILE).mul(family.rise).toVar());
   const onScreen = octaves(wanted.mul(perPixel).toVar());
-  const octave = max(mix(onObject, onScreen, sizedOnScreen), octaves(finestSpacing.mul(perPixel).toVar())).toVar();
+  const octave = max(mix(onObject, onScreen, screenSpaceShare), octaves(minLineSpacing.mul(perPixel).toVar())).toVar();
   if (medium === 'woodcut') octave.addAssign(rowOctaves(rowTone(h, tone)));
   octave.assign(min(octave, family.coarsest));
   const period = powerOf2(ceil(octave)).toVar();

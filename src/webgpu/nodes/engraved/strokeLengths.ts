@@ -10,7 +10,7 @@ const { abs, ceil, clamp, cross, dot, float, floatBitsToInt, floor, int, intBits
 const { normalize, select, smoothstep, vec2, vec3 } = tsl;
 const { AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING, LENGTHS_FADE } = STROKE_LENGTH_CONSTANTS;
 
-export const sizedOnScreen: Value = /* @__PURE__ */ hatchingUniform('sizedOnScreen', 'float');
+export const screenSpaceShare: Value = /* @__PURE__ */ hatchingUniform('screenSpaceShare', 'float');
 
 /** Width over which the edge of a line fades, pixels. */
 export const FRINGE = 0.5;
@@ -59,7 +59,7 @@ export function alongLines(h: HatchingParameters, family: Family): Along {
   const perPixel = mix(acrossSecond, acrossFirst, share);
   const onObject = octaves(strokeLength.div(LINE_CONSTANTS.PARTS_OF_TILE).toVar());
   const onScreen = octaves(strokeLength.mul(max(perPixel, 1e-12)).toVar());
-  const octave = mix(onObject, onScreen, sizedOnScreen).toVar();
+  const octave = mix(onObject, onScreen, screenSpaceShare).toVar();
   const whole = ceil(octave.sub(0.5)).toVar();
   return {
     places: vec2(dot(first, vFieldPoint), dot(second, vFieldPoint)).toVar(),

@@ -40,7 +40,7 @@ const { STRAY_FINELY, STRAY_SHARES, STRAY_UP, UP_BEND, UP_BENT, UP_PHASE, WHOLE_
 export interface OutlineDefines {
   /** Whether hidden outlines are drawn, instead of visible ones. */
   readonly HIDDEN: boolean;
-  readonly TOOTH: boolean;
+  readonly PAPER_GRAIN: boolean;
   readonly WOBBLE: boolean;
 }
 
@@ -108,7 +108,7 @@ function hiddenCoverage(place: Value, size: Value, along: Value, fromOrigin: Val
  * along the way, and catch on the tooth of the paper.
  */
 
-const tooth = /* @__PURE__ */ hatchingUniform('tooth', 'float');
+const paperGrain = /* @__PURE__ */ hatchingUniform('paperGrain', 'float');
 
 /** The tooth above which the sides fade from the middle on. */
 const SOFT_TOOTH = 0.3;
@@ -127,11 +127,11 @@ const LIFTED = 0.5;
  * @param pixel of the render target, counted from the lower left
  */
 function dryInk(across: Value, along: Value, pixel: Value): Value {
-  const side = min(tooth.div(SOFT_TOOTH), 1).mul(across).mul(across);
-  const loss = tooth.mul(LIFTED).mul(float(0.5).sub(along.mul(0.5)));
+  const side = min(paperGrain.div(SOFT_TOOTH), 1).mul(across).mul(across);
+  const loss = paperGrain.mul(LIFTED).mul(float(0.5).sub(along.mul(0.5)));
   const pressure = side.oneMinus().mul(loss.oneMinus());
   const height = normalDistribution(toothField(pixel)).x;
-  return clamp(pressure.sub(tooth.mul(CAUGHT).mul(height)).div(OUTLINE_SOFTNESS), 0, 1);
+  return clamp(pressure.sub(paperGrain.mul(CAUGHT).mul(height)).div(OUTLINE_SOFTNESS), 0, 1);
 }
 
 /**
@@ -207,7 +207,7 @@ export const fragments = (defines: OutlineDefines): Value =>
         if (defines.HIDDEN) {
           coverage.mulAssign(hiddenCoverage(place, size, spine.along, pixel.sub(vOrigin), outlineWidth));
         }
-        if (defines.TOOTH) {
+        if (defines.PAPER_GRAIN) {
           const pressed = defines.WOBBLE ? pressureWave(mix(vAnchorStart, vAnchorEnd, alongLine(t, spine))) : float(1);
           // Overlapping ends are narrower, or their soft sides would add up at each joint.
           const across = away.div(max(halfWidth, 0.5)).mul(select(isAtEnd, float(1.6), float(1)));

@@ -194,7 +194,7 @@ describe('surfaces', () => {
 
 describe('colours', () => {
   const grey = (luminance: number, parameters: HatchingMaterialParameters = {}) =>
-    auto({ color: new Color(luminance, luminance, luminance), localTone: 1, ...parameters });
+    auto({ color: new Color(luminance, luminance, luminance), colorHatching: 1, ...parameters });
   // Half as light as white, to the eye.
   const MIDDLE = 0.18418651851;
 
@@ -214,7 +214,7 @@ describe('colours', () => {
   });
 
   test('do not count where they make no tone', () => {
-    expect(fitExposure(sceneOf(new Mesh(ball, grey(MIDDLE, { localTone: 0 })), sun(1))).white).toBe(1);
+    expect(fitExposure(sceneOf(new Mesh(ball, grey(MIDDLE, { colorHatching: 0 })), sun(1))).white).toBe(1);
   });
 
   test('are those of vertices and maps too', () => {

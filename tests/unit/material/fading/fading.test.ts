@@ -26,7 +26,7 @@ function fading(parameters: HatchingMaterialParameters): number[] {
 }
 
 test('depth is measured by the scene where it is known, and by the world elsewhere', () => {
-  const look = { technique: 'engraved', depthFade: 0.5, depthNear: 0.25, depthFar: 2 } as const;
+  const look = { technique: 'engraved', depthFade: 0.5, depthFadeStart: 0.25, depthFadeEnd: 2 } as const;
   expect(fading({ ...look, extent })).toEqual([4.5, 22, 0.5]);
   expect(fading(look)).toEqual([0.25, 2, 0.5]);
 });
@@ -47,7 +47,7 @@ test('left to itself, only a deep scene fades', () => {
 });
 
 test('a fade whose end lies before its start is an edge', () => {
-  const [near, far] = fading({ technique: 'engraved', depthFade: 1, depthNear: 3, depthFar: 1 });
+  const [near, far] = fading({ technique: 'engraved', depthFade: 1, depthFadeStart: 3, depthFadeEnd: 1 });
   expect(near).toBe(3);
   expect(far).toBeGreaterThan(near);
 });

@@ -82,7 +82,7 @@ async function draw(mesh: Mesh, { lights = [sun()], ...how }: Drawing = {}): Pro
 }
 
 const anchored = (parameters: HatchingMaterialParameters = {}) =>
-  new HatchingMaterial({ technique: 'anchored', sizedOnScreen: 1, tonalArtMap: map, ...parameters });
+  new HatchingMaterial({ technique: 'anchored', screenSpaceShare: 1, tonalArtMap: map, ...parameters });
 
 const ball = (material = anchored()): Mesh => {
   const mesh = new Mesh(new SphereGeometry(), material);
@@ -95,7 +95,7 @@ const about = (mistake: string | RegExp) => [expect.stringMatching(mistake)];
 describe('an ordinary mesh', () => {
   test('is drawn without a word', async () => {
     expect(await draw(ball())).toEqual([]);
-    expect(await draw(ball(anchored({ sizedOnScreen: 0 })))).toEqual([]);
+    expect(await draw(ball(anchored({ screenSpaceShare: 0 })))).toEqual([]);
     expect(await draw(ball(new HatchingMaterial({ technique: 'engraved' })))).toEqual([]);
   });
 
@@ -309,21 +309,21 @@ describe('strokes', () => {
   test.each<[string, HatchingMaterialParameters, number, RegExp]>([
     [
       'finer than a pixel on the object',
-      { sizedOnScreen: 0, tilesPerUnit: 5e3 },
+      { screenSpaceShare: 0, tilesPerObjectUnit: 5e3 },
       1,
-      /smaller than a pixel.* tilesPerUnit is 5000\. Set it to about 3\./,
+      /smaller than a pixel.* tilesPerObjectUnit is 5000\. Set it to about 3\./,
     ],
     [
       'larger than the object',
-      { sizedOnScreen: 0, tilesPerUnit: 3 },
+      { screenSpaceShare: 0, tilesPerObjectUnit: 3 },
       0.01,
-      /larger than itself.* tilesPerUnit is 3\. Set it to about 300\./,
+      /larger than itself.* tilesPerObjectUnit is 3\. Set it to about 300\./,
     ],
     [
       'of lines larger than the object',
-      { technique: 'engraved', sizedOnScreen: 0, tilesPerUnit: 3, lineSpacing: 5 },
+      { technique: 'engraved', screenSpaceShare: 0, tilesPerObjectUnit: 3, lineSpacing: 5 },
       0.001,
-      /larger than itself.* tilesPerUnit/,
+      /larger than itself.* tilesPerObjectUnit/,
     ],
     [
       'finer than a pixel on the screen',
@@ -349,24 +349,24 @@ describe('strokes', () => {
   test('of a model far away are to be larger than those of one that fills the picture', async () => {
     const camera = new PerspectiveCamera(40, 1, 0.1, 1e5);
     camera.position.z = 300;
-    const [sentence] = await draw(ball(anchored({ sizedOnScreen: 0, tilesPerUnit: 3 })), { camera });
-    const advised = Number(/tilesPerUnit is 3\. Set it to about ([\d.]+)\./.exec(sentence)?.[1]);
+    const [sentence] = await draw(ball(anchored({ screenSpaceShare: 0, tilesPerObjectUnit: 3 })), { camera });
+    const advised = Number(/tilesPerObjectUnit is 3\. Set it to about ([\d.]+)\./.exec(sentence)?.[1]);
     expect(advised).toBeGreaterThan(0);
     expect(advised).toBeLessThan(1);
-    expect(await draw(ball(anchored({ sizedOnScreen: 0, tilesPerUnit: advised })), { camera })).toEqual([]);
+    expect(await draw(ball(anchored({ screenSpaceShare: 0, tilesPerObjectUnit: advised })), { camera })).toEqual([]);
   });
 
   test('of a small part are for the whole model', async () => {
-    const scene = new Scene().add(ball(anchored({ sizedOnScreen: 0 })));
+    const scene = new Scene().add(ball(anchored({ screenSpaceShare: 0 })));
     scene.traverse((object) => (object as Mesh).geometry?.computeBoundingSphere());
-    const eye = ball(anchored({ sizedOnScreen: 0 }));
+    const eye = ball(anchored({ screenSpaceShare: 0 }));
     eye.geometry = new SphereGeometry(0.01);
     expect(await draw(eye, { scene })).toEqual([]);
   });
 
   test('of many meshes are measured by one model, for which the scene is walked through once', async () => {
     const scene = new Scene();
-    const balls = Array.from({ length: 20 }, () => ball(anchored({ sizedOnScreen: 0 })));
+    const balls = Array.from({ length: 20 }, () => ball(anchored({ screenSpaceShare: 0 })));
     scene.add(...balls);
     const walk = vi.spyOn(scene, 'traverseVisible');
     await Promise.all(balls.map((mesh) => draw(mesh, { scene })));
@@ -375,7 +375,7 @@ describe('strokes', () => {
   });
 
   test('of a scaled mesh are measured as they are drawn', async () => {
-    const mesh = ball(anchored({ sizedOnScreen: 0, tilesPerUnit: 300 }));
+    const mesh = ball(anchored({ screenSpaceShare: 0, tilesPerObjectUnit: 300 }));
     mesh.geometry = new SphereGeometry(0.01);
     mesh.scale.setScalar(100);
     expect(await draw(mesh)).toEqual([]);

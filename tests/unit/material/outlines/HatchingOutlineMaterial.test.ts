@@ -26,8 +26,8 @@ const changed = {
   taper: 0,
   wobble: 1.5,
   overshoot: 4,
-  tooth: 0.5,
-  toothSize: 3,
+  paperGrain: 0.5,
+  paperGrainSize: 3,
   ink: '#123456',
   shadeWeights: [0.1, 3],
   hidden: 'dashed',
@@ -70,8 +70,8 @@ describe('HatchingOutlineMaterial', () => {
       taper: 0.8,
       wobble: 0,
       overshoot: 0,
-      tooth: 0,
-      toothSize: 2.5,
+      paperGrain: 0,
+      paperGrainSize: 2.5,
       hidden: 'none',
     });
   });
@@ -156,7 +156,7 @@ describe.each(OUTLINE_NUMBER_NAMES)('%s', (name) => {
 
 test('only sizes may not be 0', () => {
   for (const name of OUTLINE_NUMBER_NAMES) {
-    if (name === 'outlineWidth' || name === 'toothSize') continue;
+    if (name === 'outlineWidth' || name === 'paperGrainSize') continue;
     expect(new HatchingOutlineMaterial({ [name]: 0 })[name]).toBe(0);
   }
 });
@@ -231,7 +231,7 @@ test('its shaders have all includes resolved, and define each name shared with t
 });
 
 test.each([2, 0.5])('sizes are in CSS pixels, %d pixels of the renderer each, and nothing else is', (pixelRatio) => {
-  const look = { outlineWidth: 2, wobble: 1, overshoot: 3, toothSize: 4, taper: 5, contours: 6 };
+  const look = { outlineWidth: 2, wobble: 1, overshoot: 3, paperGrainSize: 4, taper: 5, contours: 6 };
   const material = new HatchingOutlineMaterial(look);
   material.writeUniforms(false, false, pixelRatio);
   for (const [name, value] of Object.entries(look)) {

@@ -101,7 +101,7 @@ const looks: Record<string, Partial<Settings>> = {
   },
   'two lights that stay with the viewer': { lightFollows: 'viewer', secondLight: 'right', secondStrength: 70 },
   'a second light somewhere else': { secondLight: 'free', secondAzimuth: 75, secondElevation: -20 },
-  'a highlight with an edge': { highlightTone: 20, reflectedLight: 0 },
+  'a highlight with an edge': { highlightThreshold: 20, reflectedLight: 0 },
   'layers by tone': { strokeLayers: 'tone', crossFrom: 40, crossAngle: 90, secondLight: 'right' },
   'engraved, crossing at a right angle': { technique: 'engraved', crossFrom: 30, crossAngle: 90 },
   'tinted, curved, by depth': {
@@ -151,7 +151,7 @@ describe('codeSample', () => {
     for (const key of [
       'lineSpacing',
       'strokeWidth',
-      'strokeRotation',
+      'strokeAngle',
       'reflectedLight',
       'blendAngle',
       'edgePixels',
@@ -204,7 +204,7 @@ describe('codeSample', () => {
       expect(made.technique).toBe(settings.technique);
       expect(`#${made.ink.getHexString()}`).toBe(settings.ink);
       // The page scales models to a radius of 1; a bounding sphere may be a little larger than the farthest vertex.
-      expect(made.tilesPerUnit * 5).toBeCloseTo(settings.tilesPerUnit, 0);
+      expect(made.tilesPerObjectUnit * 5).toBeCloseTo(settings.tilesPerObjectUnit, 0);
       expect(made.color.equals(new THREE.Color(surfaceColors === 'shown' ? 'tomato' : 'white'))).toBe(true);
       expect(made.map).toBe(surfaceColors === 'shown' ? paint.map : null);
       expectLines(outlinesIn(model), settings);
@@ -249,9 +249,9 @@ describe('codeSample', () => {
   });
 
   test.each([100, 50, 0])(
-    'names sizes that shrink on a small sheet, also at their defaults, and leaves that to the library: sizedOnScreen %d',
-    (sizedOnScreen) => {
-      const settings: Settings = { ...defaultSettings(), technique: 'anchored', strokeWidth: 1.5, sizedOnScreen };
+    'names sizes that shrink on a small sheet, also at their defaults, and leaves that to the library: screenSpaceShare %d',
+    (screenSpaceShare) => {
+      const settings: Settings = { ...defaultSettings(), technique: 'anchored', strokeWidth: 1.5, screenSpaceShare };
       const placed = lookSample(settings, 'root', { share: 'share' });
       expect(placed).toContain('preset: scalePreset(look, share),');
       expect(placed).toMatch(/strokeWidth: 1\.5,/);

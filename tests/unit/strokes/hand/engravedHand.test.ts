@@ -17,9 +17,9 @@ const of = (changed: Partial<HandNumbers>) => engravedHand({ numbers: { ...numbe
 
 describe('engravedHand', () => {
   it.each<[keyof HandNumbers, readonly number[], (hand: ReturnType<typeof of>) => number]>([
-    ['widthSpread', [0, 0.1, 0.2, 0.3], ({ material }) => material.handmade],
-    ['wobble', [0, 0.05, 0.1, 0.2], ({ material }) => material.handmade],
-    ['spacingSpread', [0, 0.2, 0.4, 0.8], ({ material }) => material.handmade],
+    ['widthSpread', [0, 0.1, 0.2, 0.3], ({ material }) => material.irregularity],
+    ['wobble', [0, 0.05, 0.1, 0.2], ({ material }) => material.irregularity],
+    ['spacingSpread', [0, 0.2, 0.4, 0.8], ({ material }) => material.irregularity],
     ['length', [5, 10, 20, 40], ({ material }) => material.strokeLength],
     ['taperStart', [0, 0.2, 0.5, 1], ({ outlines }) => outlines.taper],
     ['taperEnd', [0, 0.2, 0.5, 1], ({ outlines }) => outlines.taper],
@@ -32,7 +32,7 @@ describe('engravedHand', () => {
 
   it('is ruled and without tapers for a ruled hand', () => {
     const ruled = of({ widthSpread: 0, wobble: 0, spacingSpread: 0, taperStart: 0, taperEnd: 0 });
-    expect(ruled.material.handmade).toBe(0);
+    expect(ruled.material.irregularity).toBe(0);
     expect(ruled.outlines).toEqual({ taper: 0, accents: 0, wobble: 0 });
   });
 
@@ -49,7 +49,7 @@ describe('engravedHand', () => {
     );
     expect(two.material.strokeLength).toBeCloseTo(2 * one.material.strokeLength);
     expect(two.outlines.wobble).toBeCloseTo(2 * one.outlines.wobble);
-    expect(two.material.handmade).toBe(one.material.handmade);
+    expect(two.material.irregularity).toBe(one.material.irregularity);
   });
 
   it('gives values that materials and outlines accept, whatever the numbers', () => {
@@ -64,7 +64,7 @@ describe('engravedHand', () => {
       const { material, outlines } = engravedHand({ numbers: any });
       expect(() => new HatchingMaterial({ technique: 'engraved', ...material }).dispose()).not.toThrow();
       expect(() => new HatchingOutlineMaterial(outlines).dispose()).not.toThrow();
-      expect(material.handmade).toBeLessThanOrEqual(1);
+      expect(material.irregularity).toBeLessThanOrEqual(1);
     }
   });
 

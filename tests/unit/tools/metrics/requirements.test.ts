@@ -3,7 +3,7 @@ import { describeMetrics, drawMetrics } from '../../../../tools/metrics/describe
 import { isKept, requirements } from '../../../../tools/metrics/requirements.mjs';
 
 const flips = (share: number) => ({
-  tilesPerUnit: 3,
+  tilesPerObjectUnit: 3,
   spacing: 6,
   flips: [0.1, 0.5].map((degrees) => ({ degrees, share: share * degrees * 2 })),
 });

@@ -66,8 +66,8 @@ answers(
 
 answers(
   'dotOctave',
-  (pixelArea: number, own: number, dotPixels: number, tilesPerUnit: number, sizedOnScreen: number) =>
-    dotOctave(pixelArea, own, { dotPixels, tilesPerUnit, sizedOnScreen }),
+  (pixelArea: number, own: number, dotPixels: number, tilesPerObjectUnit: number, screenSpaceShare: number) =>
+    dotOctave(pixelArea, own, { dotPixels, tilesPerObjectUnit, screenSpaceShare }),
   `
   0.0000735, 0.29, 5.94, 0.36, 0.11 → 3.51586274
   0.0000336, 0.45, 4.38, 0.44, 0.58 → 4.81359117
@@ -141,7 +141,7 @@ answers(
     place: Vec3,
     normal: Vec3,
     tone: number,
-    [tilesPerUnit, strokeWidth, sizedOnScreen]: readonly [number, number, number],
+    [tilesPerObjectUnit, strokeWidth, screenSpaceShare]: readonly [number, number, number],
   ) => {
     const reference = {
       toWorld: (p: Vec3) => vec3.transformMat4([0, 0, 0], [...p], matrixWorld as unknown as mat4),
@@ -153,7 +153,7 @@ answers(
     const darknessOf = stippleDarkness(
       {
         ...{ matrixWorld, camera: { view: [...view], projection: [...projection] }, width: SIZE, height: SIZE },
-        ...{ material: { tilesPerUnit }, dots: { strokeWidth, edgePixels: 1 }, sizedOnScreen },
+        ...{ material: { tilesPerObjectUnit }, dots: { strokeWidth, edgePixels: 1 }, screenSpaceShare },
       },
       reference,
     );

@@ -24,7 +24,7 @@ function expectedWeight(
   camera: { view: number[]; projection: number[] },
   place: Vec3,
 ): number {
-  const plain = { toneModel: 'lambert', toneCurve: 'linear', localTone: 0, color: [1, 1, 1], reflectedLight: 0 };
+  const plain = { toneModel: 'lambert', toneCurve: 'linear', colorHatching: 0, color: [1, 1, 1], reflectedLight: 0 };
   const reference = new HatchingReference({
     ...{ matrixWorld: [...mat4.create()], eye: [1, 1.5, 4], lights: [], tones: 1, image: () => 0 },
     ...{ camera, importance, material: { ...plain, ...material } as ReferenceMaterial },
@@ -44,8 +44,8 @@ test('the weight of a place is that of the reference', () => {
     const place: Vec3 = [between(-2, 2), between(-2, 2), between(-2, 2)];
     const material = {
       depthFade: i % 3 === 0 ? 0 : random(),
-      depthNear: between(1, 4),
-      depthFar: between(4.5, 7),
+      depthFadeStart: between(1, 4),
+      depthFadeEnd: between(4.5, 7),
       focus: [between(-1, 1), between(-1, 1), between(-1, 1)] as [number, number, number],
       focusRadius: between(0.3, 2),
       vignette: i % 5 === 0 ? 0 : random(),
@@ -60,7 +60,7 @@ test('the weight of a place is that of the reference', () => {
     const [x, y] = [0.5 + (0.5 * clip[0]) / clip[2], 0.5 + (0.5 * clip[1]) / clip[2]];
     const found = fadingAt(
       {
-        depthFading: [material.depthNear, material.depthFar, material.depthFade],
+        depthFading: [material.depthFadeStart, material.depthFadeEnd, material.depthFade],
         focus: { at: material.focus, radius: material.focusRadius },
         vignette: material.vignette,
         sheet: [-0.5, -0.25, 2, 3],

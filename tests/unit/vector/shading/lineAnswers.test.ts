@@ -96,9 +96,9 @@ answers(
 
 answers(
   'handPoint and handPressure',
-  (place: Vec3, handmade: number) => {
+  (place: Vec3, irregularity: number) => {
     const waves = slowWaves(place);
-    return [...handPoint(place, waves, handmade), handPressure(waves, handmade)];
+    return [...handPoint(place, waves, irregularity), handPressure(waves, irregularity)];
   },
   `
   [-1.05, 0.93, -1.03], 0.6 → [-1.05497333, 0.935367866, -1.02288639, -0.0926951209]
@@ -163,8 +163,8 @@ answers(
 // By hand: 8 pixels at 1/4 a pixel are 2, in octaves 1; 64 of 256 parts of a tile at a rise of 1/2 are 1/8, in octaves −3.
 answers(
   'octaveOf',
-  (sizedOnScreen: number, finestSpacing: number, coarsest: number) =>
-    octaveOf({ lineSpacing: 64, finestSpacing, sizedOnScreen }, 0.5, 1 / 32, coarsest),
+  (screenSpaceShare: number, minLineSpacing: number, coarsest: number) =>
+    octaveOf({ lineSpacing: 64, minLineSpacing, screenSpaceShare }, 0.5, 1 / 32, coarsest),
   `
   1, 3, 100 → 1
   0, 3, 100 → -3
@@ -375,9 +375,19 @@ answers(
 
 answers(
   'alongLines',
-  (isOrthographic: boolean, place: Vec3, normal: Vec3, gradient: Vec3, strokeLength: number, sizedOnScreen: number) => {
+  (
+    isOrthographic: boolean,
+    place: Vec3,
+    normal: Vec3,
+    gradient: Vec3,
+    strokeLength: number,
+    screenSpaceShare: number,
+  ) => {
     const map = mapAt(isOrthographic, place, normal);
-    const { places, share, period, longer } = alongLines(place, normal, gradient, map, { strokeLength, sizedOnScreen });
+    const { places, share, period, longer } = alongLines(place, normal, gradient, map, {
+      strokeLength,
+      screenSpaceShare,
+    });
     return [...places, share, period, longer];
   },
   `
@@ -419,8 +429,16 @@ const alongOf = ([places, share, period, longer]: AlongRow): Along => ({ places,
 
 answers(
   'strokeAt: width and offset',
-  (along: AlongRow, tone: number, handmade: number, repeat: number, octave: number, share: number, line: number) => {
-    const { width, astray } = strokeAt(penFor(tone, alongOf(along), handmade, repeat, octave), share, line);
+  (
+    along: AlongRow,
+    tone: number,
+    irregularity: number,
+    repeat: number,
+    octave: number,
+    share: number,
+    line: number,
+  ) => {
+    const { width, astray } = strokeAt(penFor(tone, alongOf(along), irregularity, repeat, octave), share, line);
     return [width, astray];
   },
   `
@@ -480,8 +498,8 @@ answers(
 // By hand: the function is 2 at the place, and 0.25 lower at its vertex; the hand adds its offset along the gradient.
 answers(
   'readForm',
-  (gradient: Vec3, value: number, place: Vec3, handmade: number, isInk: boolean) => {
-    const read = readForm(formVarying(gradient, value, place), place, handmade, isInk);
+  (gradient: Vec3, value: number, place: Vec3, irregularity: number, isInk: boolean) => {
+    const read = readForm(formVarying(gradient, value, place), place, irregularity, isInk);
     return [read.value, read.pressure];
   },
   `
@@ -511,7 +529,13 @@ answers(
     isOrthographic: boolean,
     lit: keyof typeof LIGHTS,
     dark: keyof typeof LIGHTS,
-    [lineSpacing, strokeLength, crossFrom, handmade, sizedOnScreen]: readonly [number, number, number, number, number],
+    [lineSpacing, strokeLength, crossFrom, irregularity, screenSpaceShare]: readonly [
+      number,
+      number,
+      number,
+      number,
+      number,
+    ],
     place: Vec3,
     normal: Vec3,
     flatNormal: Vec3,
@@ -533,12 +557,12 @@ answers(
           strokeLength,
           crossFrom,
           crossAngle: 1.05,
-          handmade,
+          irregularity,
           ...(isForm && { form }),
         },
         ...{ lights: LIGHTS[lit], matrixWorld, camera: cameraOf(isOrthographic), width: SIZE, height: SIZE },
-        material: { strokeRotation: 0.3, tilesPerUnit: 3, shadowStrokes },
-        ...{ sizedOnScreen, centre: [0.2, -0.1, 0.05] as const },
+        material: { strokeAngle: 0.3, tilesPerObjectUnit: 3, shadowStrokes },
+        ...{ screenSpaceShare, centre: [0.2, -0.1, 0.05] as const },
       },
       reference,
     );

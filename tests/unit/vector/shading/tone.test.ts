@@ -35,7 +35,7 @@ const look: ToneLook = {
   highlightRamp: [5e5, 0.5],
   toneEnds: [0, 1],
   occlusion: 1,
-  hollowTone: 1,
+  hollowStrength: 1,
   darkness: 0,
 };
 
@@ -150,7 +150,7 @@ describe('occlusion', () => {
     expect(shadedTone(1, 0.1, look)).toBe(0);
     // Half way between shallow and deep hollows.
     expect(shadedTone(1, 0.45, look)).toBeCloseTo(0.5, 9);
-    expect(shadedTone(1, 0.8, { ...look, hollowTone: 0 })).toBe(0);
+    expect(shadedTone(1, 0.8, { ...look, hollowStrength: 0 })).toBe(0);
     // Chalk draws the lights: a hollow is bare paper.
     expect(shadedTone(0, 0.8, { ...look, toneEnds: [0.95, 0] })).toBe(0);
   });

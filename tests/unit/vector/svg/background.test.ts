@@ -15,7 +15,7 @@ async function draw(parameters: HatchingBackgroundParameters, kind: 'print' | 'p
         [0, 0],
         [1, 0],
       ],
-      hollowTone: 0,
+      hollowStrength: 0,
     },
   });
   const scene = sceneOf(box);

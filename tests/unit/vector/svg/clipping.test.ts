@@ -97,7 +97,7 @@ describe('flat faces', () => {
   const facetted = (look: object) =>
     hatchedMesh(new SphereGeometry(0.9, 8, 6), {
       outlines: false,
-      material: { exposure: 1, lineField: 'z', handmade: 0, crossFrom: 1, ...look },
+      material: { exposure: 1, lineField: 'z', irregularity: 0, crossFrom: 1, ...look },
     });
 
   test('have one tone each, by either property', async () => {
@@ -113,7 +113,7 @@ describe('flat faces', () => {
     // A body with face normals as attributes gives the same, except for the positions of lines.
     const hard = await hatchedMesh(new SphereGeometry(0.9, 8, 6).toNonIndexed(), {
       outlines: false,
-      material: { exposure: 1, lineField: 'z', handmade: 0, crossFrom: 1 },
+      material: { exposure: 1, lineField: 'z', irregularity: 0, crossFrom: 1 },
     });
     hard.geometry.computeVertexNormals();
     const box = [18, 18, 24, 24] as const;

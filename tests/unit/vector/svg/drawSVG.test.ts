@@ -12,7 +12,7 @@ const BLANK = {
     [0, 0],
     [1, 0],
   ] as [number, number][],
-  hollowTone: 0,
+  hollowStrength: 0,
 };
 
 const SMALL = { sheet: [80, 80], margin: 0 } as const;

@@ -138,7 +138,7 @@ describe('what is drawn of a mesh', () => {
     plain.geometry = await prepareHatchingGeometry(new TorusGeometry(0.7, 0.3, 32, 64), { form: true });
     plain.material.setValues({
       lineField: 'form',
-      handmade: 0,
+      irregularity: 0,
       crossFrom: 1,
       toneCurve: [
         [0, 0.4],

@@ -10,7 +10,7 @@ const BLANK = {
     [0, 0],
     [1, 0],
   ] as [number, number][],
-  hollowTone: 0,
+  hollowStrength: 0,
 };
 const PEN = { kind: 'pen', penWidth: 0.2, sheet: [200, 200], margin: 5 } as const;
 

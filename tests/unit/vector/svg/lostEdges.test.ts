@@ -19,7 +19,7 @@ const BLANK = {
     [0, 0],
     [1, 0],
   ] as [number, number][],
-  hollowTone: 0,
+  hollowStrength: 0,
 };
 const SIDE = 120;
 const PEN = 0.3;

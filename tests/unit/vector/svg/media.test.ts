@@ -18,8 +18,14 @@ function extentOf(data: string): number {
 }
 
 describe('a pen', () => {
-  const draw = async (tone: number, kind: 'print' | 'pen' = 'print', handmade = 0.6) => {
-    const mesh = await planeOfTone(tone, { medium: 'pen', strokeLength: 60, lineSpacing: 5, crossFrom: 1, handmade });
+  const draw = async (tone: number, kind: 'print' | 'pen' = 'print', irregularity = 0.6) => {
+    const mesh = await planeOfTone(tone, {
+      medium: 'pen',
+      strokeLength: 60,
+      lineSpacing: 5,
+      crossFrom: 1,
+      irregularity,
+    });
     return drawSVG(sceneOf(mesh), cameraAt(0, 0, 1), { kind, sheet: [SIDE, SIDE], margin: 0 });
   };
 
@@ -48,8 +54,8 @@ describe('a pen', () => {
 
   test('strays from its lines by hand, and not with a ruler', async () => {
     /** The agreement of strokes on a direction: 1 if all are parallel. */
-    const agreement = async (handmade: number) => {
-      const { svg } = await draw(0.3, 'pen', handmade);
+    const agreement = async (irregularity: number) => {
+      const { svg } = await draw(0.3, 'pen', irregularity);
       const paths = pathsOf(svg, 'engraved').map((data) => {
         const [points] = ringsOf(data);
         const last = points.length - 2;

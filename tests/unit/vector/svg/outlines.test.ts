@@ -22,7 +22,7 @@ const BLANK = {
     [0, 0],
     [1, 0],
   ] as [number, number][],
-  hollowTone: 0,
+  hollowStrength: 0,
 };
 const PIXEL = 25.4 / 96;
 

@@ -33,7 +33,7 @@ const BLANK = {
     [0, 0],
     [1, 0],
   ] as [number, number][],
-  hollowTone: 0,
+  hollowStrength: 0,
 };
 const SHEET = { sheet: [60, 60], margin: 0 } as const;
 

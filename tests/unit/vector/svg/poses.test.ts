@@ -90,7 +90,7 @@ function expectAlike(one: number, other: number, share: number): void {
 }
 
 describe('skins', () => {
-  const still: HatchingMaterialParameters = { lineField: 'x', exposure: 1, localTone: 0 };
+  const still: HatchingMaterialParameters = { lineField: 'x', exposure: 1, colorHatching: 0 };
 
   test('a skin whose bones all turn is the mesh turned, lines and outlines', async () => {
     const { mesh, lower } = await skinned(column(), { material: still });
@@ -134,7 +134,7 @@ describe('skins', () => {
       ...still,
       lineField: 'y',
       strokeAnchor: 'deformed',
-      handmade: 0,
+      irregularity: 0,
       crossFrom: 1,
     };
     const { mesh, upper } = await skinned(column(), { material, outlines: false });
@@ -183,7 +183,12 @@ describe('morph targets', () => {
 
   test('a ball that is half way to one twice as high is hidden, shaded and outlined as such', async () => {
     const ball = () => new SphereGeometry(0.5, 48, 32);
-    const material: HatchingMaterialParameters = { lineField: 'z', exposure: 1, handmade: 0, strokeAnchor: 'deformed' };
+    const material: HatchingMaterialParameters = {
+      lineField: 'z',
+      exposure: 1,
+      irregularity: 0,
+      strokeAnchor: 'deformed',
+    };
     const mesh = await hatchedMesh(morphing(ball(), ball().scale(1, 2, 1)), { material });
     mesh.updateMorphTargets();
     mesh.morphTargetInfluences![0] = 0.5;

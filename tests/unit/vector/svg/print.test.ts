@@ -17,10 +17,10 @@ describe('tone 1 is solid', () => {
   ] as const;
 
   test.each(cases(looks.slice(3), looks.slice()))(
-    'handmade %s, crossed from %s',
+    'irregularity %s, crossed from %s',
     { tags: ['more'] },
-    async (handmade, crossFrom) => {
-      const mesh = await planeOfTone(1, { handmade, crossFrom });
+    async (irregularity, crossFrom) => {
+      const mesh = await planeOfTone(1, { irregularity, crossFrom });
       const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0.2, 0.3, 1), { sheet: [100, 100] });
       expect(coverageOf(pathsOf(svg), [20, 20, 60, 60], 300)).toBeGreaterThan(0.9999);
     },
@@ -28,7 +28,7 @@ describe('tone 1 is solid', () => {
 
   test('and the tones before it are what they were', { tags: ['all'] }, async () => {
     for (const tone of [0.9, 0.95]) {
-      const mesh = await planeOfTone(tone, { handmade: 0.4 });
+      const mesh = await planeOfTone(tone, { irregularity: 0.4 });
       const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1), { sheet: [100, 100], margin: 0 });
       expect(Math.abs(coverageOf(pathsOf(svg), BOX) - tone)).toBeLessThan(0.015);
     }

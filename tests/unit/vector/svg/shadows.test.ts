@@ -14,11 +14,11 @@ const camera = () => cameraAt(0, 0, 1, true);
 const GROUND: HatchingMaterialParameters = {
   toneModel: 'shadow',
   toneCurve: 'linear',
-  handmade: 0,
+  irregularity: 0,
   shadowFade: 0,
   shadowSoftness: 0,
   shadowTone: 0.5,
-  sizedOnScreen: 1,
+  screenSpaceShare: 1,
   lineSpacing: 4,
   transparent: true,
   depthWrite: false,
@@ -255,11 +255,11 @@ describe('lines of a shadow', () => {
     { tags: ['more'] },
     async (_, look) => {
       const material = {
-        handmade: 0,
+        irregularity: 0,
         reflectedLight: 0,
         shadowStrokes: 'cross',
         crossFrom: 0.1,
-        sizedOnScreen: 1,
+        screenSpaceShare: 1,
       } as const;
       const wall = await hatchedMesh(new PlaneGeometry(2.4, 2.4, 2, 2), {
         outlines: false,

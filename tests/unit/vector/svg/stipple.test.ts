@@ -46,7 +46,7 @@ function discOf(ring: readonly number[]): Circle {
 async function stippledPlane(tone: number): Promise<Mesh<BufferGeometry, HatchingMaterial>> {
   const geometry = await prepareHatchingGeometry(new PlaneGeometry(3, 3, 4, 4), { technique: 'anchored' });
   const material = new HatchingMaterial({
-    ...{ technique: 'anchored', medium: 'stipple', sizedOnScreen: 1, strokeWidth: 2, strokeLayers: 'single' },
+    ...{ technique: 'anchored', medium: 'stipple', screenSpaceShare: 1, strokeWidth: 2, strokeLayers: 'single' },
     reflectedLight: 0,
     toneCurve: [
       [0, tone],
@@ -124,7 +124,7 @@ describe('dots', () => {
     const material = new HatchingMaterial({
       technique: 'anchored',
       medium: 'stipple',
-      sizedOnScreen: 0,
+      screenSpaceShare: 0,
       strokeLayers: 'single',
       strokeWidth: 3,
     });
@@ -163,7 +163,7 @@ describe('dots follow textures and colours', () => {
     return [inkIn(circles, 3, 27), inkIn(circles, 33, 57)] as const;
   };
   const local: HatchingMaterialParameters = {
-    localTone: 0.5,
+    colorHatching: 0.5,
     exposure: 1,
     toneCurve: [
       [0, 0.1],
@@ -179,7 +179,12 @@ describe('dots follow textures and colours', () => {
   });
 
   test('emissive maps, ambient light and normal maps', { tags: ['all'] }, async () => {
-    const linear: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', localTone: 0, highlightTone: 0 };
+    const linear: HatchingMaterialParameters = {
+      exposure: 1,
+      toneCurve: 'linear',
+      colorHatching: 0,
+      highlightThreshold: 0,
+    };
     const [plain] = await halves(linear);
     const [dark, lit] = await halves({
       ...linear,

@@ -52,7 +52,7 @@ const BLACK_AND_WHITE = () =>
 /** A plane with tone 0.2 by its light, darkened by its colour. */
 const painted = (material: HatchingMaterialParameters) =>
   planeOfTone(0.2, {
-    localTone: 0.6,
+    colorHatching: 0.6,
     exposure: 1,
     toneCurve: [
       [0, 0.2],
@@ -218,7 +218,7 @@ describe('a map of normals', () => {
     texture.needsUpdate = true;
     return texture;
   };
-  const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightTone: 0 };
+  const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightThreshold: 0 };
 
   const leanings = [
     [-0.3, 0.5],
@@ -256,7 +256,7 @@ describe('a map of normals', () => {
 
 describe('bump maps and object-space normal maps', () => {
   const SMALL = 40;
-  const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightTone: 0 };
+  const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightThreshold: 0 };
   const toLight = new Vector3(-0.55, 0.75, 0.6).normalize();
   const toneOf = async (material: HatchingMaterialParameters, turn = 0) => {
     const mesh = await planeOfTone(0, { ...plain, ...material });

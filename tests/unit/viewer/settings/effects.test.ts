@@ -20,11 +20,11 @@ const used = (key: SettingKey, changes: Partial<Settings>): boolean =>
 
 describe('a setting has an effect', () => {
   test.each<[SettingKey, Partial<Settings>, boolean]>([
-    ['anchorSpacing', { technique: 'anchored' }, true],
-    ['anchorSpacing', { technique: 'adjacency' }, false],
-    ['anchorSpacing', { technique: 'adjacency', compare: 'anchored' }, true],
+    ['latticeSpacing', { technique: 'anchored' }, true],
+    ['latticeSpacing', { technique: 'adjacency' }, false],
+    ['latticeSpacing', { technique: 'adjacency', compare: 'anchored' }, true],
     // Dots beside strokes of triangles: those have a map, and the dots still no anchors.
-    ['anchorSpacing', { technique: 'anchored', medium: 'stipple', compare: 'adjacency' }, false],
+    ['latticeSpacing', { technique: 'anchored', medium: 'stipple', compare: 'adjacency' }, false],
     ['mapStyle', { technique: 'engraved' }, false],
     ['mapSize', { technique: 'engraved' }, false],
     ['mapStyle', { technique: 'engraved', compare: 'triangle' }, true],
@@ -47,9 +47,9 @@ describe('a setting has an effect', () => {
     ['strokeWidth', { technique: 'adjacency' }, false],
     ['strokeWidth', { technique: 'adjacency', levelRule: 'depth' }, true],
     ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
-    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 100 }, false],
-    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 99 }, true],
-    ['tilesPerUnit', { technique: 'anchored', sizedOnScreen: 100, compare: 'triangle' }, true],
+    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 100 }, false],
+    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 99 }, true],
+    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 100, compare: 'triangle' }, true],
     ['shininess', { toneModel: 'phong' }, true],
     ['shininess', {}, false],
     ['outlineWidth', { outlines: 'off' }, false],
@@ -126,11 +126,11 @@ test.each([
   [0, '/256 tile'],
   // A mean of the two has no name.
   [50, ''],
-])('the distance between outlines, %d %% on the screen, has the unit %j', (sizedOnScreen, unit) => {
-  const settings: Settings = { ...defaultSettings(), technique: 'engraved', sizedOnScreen };
+])('the distance between outlines, %d %% on the screen, has the unit %j', (screenSpaceShare, unit) => {
+  const settings: Settings = { ...defaultSettings(), technique: 'engraved', screenSpaceShare };
   expect(presentUnit('lineSpacing', looksOf(settings))).toBe(unit);
   expect(presentUnit('strokeWidth', looksOf(settings))).toBe('px');
-  expect(presentUnit('handmade', looksOf(settings))).toBe('%');
+  expect(presentUnit('irregularity', looksOf(settings))).toBe('%');
 });
 
 test('settings that determine the map, or whether there is one, choose it again', () => {

@@ -20,7 +20,7 @@ test('a hand is drawn with a map, also where there were lines before; a techniqu
 
 test('lines follow the hand, within the ranges of their controls: a ruler is steadier than a scribble', () => {
   const [, , , scribble, ruled] = hands.map((hand) => linesOfHand(defaultSettings(), hand));
-  expect(ruled.handmade).toBeLessThan(scribble.handmade!);
+  expect(ruled.irregularity).toBeLessThan(scribble.irregularity!);
   expect(ruled.outlineHand).toBeLessThanOrEqual(scribble.outlineHand!);
   for (const hand of hands) {
     for (const [key, value] of Object.entries(linesOfHand(defaultSettings(), hand))) {

@@ -24,36 +24,36 @@ import type { Setting } from '../../../../src/viewer/settings/table/rows.js';
 const settingsOf = (name: (typeof PRESET_NAMES)[number]): Settings => ({ ...defaultSettings(), ...presetLook(name) });
 
 test('sizes go with a picture and a small sheet as far as they are measured on them', () => {
-  const settings = { ...defaultSettings(), strokeWidth: 2, lineSpacing: 4, strokeLength: 40, toothSize: 3 };
-  const sizesAt = (sizedOnScreen: number, ...of: [number, number?]) =>
-    materialSizesIn(lookOf({ ...settings, sizedOnScreen }), ...of);
+  const settings = { ...defaultSettings(), strokeWidth: 2, lineSpacing: 4, strokeLength: 40, paperGrainSize: 3 };
+  const sizesAt = (screenSpaceShare: number, ...of: [number, number?]) =>
+    materialSizesIn(lookOf({ ...settings, screenSpaceShare }), ...of);
   expect(sizesAt(100, 1, 4)).toEqual({
     strokeWidth: 8,
     lineSpacing: 16,
     strokeLength: 160,
-    toothSize: 12,
-    finestSpacing: 12,
+    paperGrainSize: 12,
+    minLineSpacing: 12,
   });
   expect(sizesAt(50, 1, 4)).toEqual({
     strokeWidth: 8,
     lineSpacing: 8,
     strokeLength: 80,
-    toothSize: 12,
-    finestSpacing: 12,
+    paperGrainSize: 12,
+    minLineSpacing: 12,
   });
   expect(sizesAt(0, 1, 4)).toEqual({
     strokeWidth: 8,
     lineSpacing: 4,
     strokeLength: 40,
-    toothSize: 12,
-    finestSpacing: 12,
+    paperGrainSize: 12,
+    minLineSpacing: 12,
   });
   expect(sizesAt(100, 0.5)).toEqual({
     strokeWidth: 1,
     lineSpacing: 2,
     strokeLength: 20,
-    toothSize: 1.5,
-    finestSpacing: 3,
+    paperGrainSize: 1.5,
+    minLineSpacing: 3,
   });
 });
 
@@ -70,7 +70,7 @@ describe('the presets of the page', () => {
     Object.assign(made, materialSizesIn(lookOf(settings), 1));
     for (const property of Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[]) {
       // The size of strokes on the object follows from the size of the model.
-      if (property === 'tilesPerUnit' || property === 'tonalArtMap') continue;
+      if (property === 'tilesPerObjectUnit' || property === 'tonalArtMap') continue;
       // Belongs to the light of the page, which bakes it only when asked.
       if (property === 'occlusion') continue;
       if (!counts(expected, property)) continue;
@@ -101,7 +101,7 @@ describe('the presets of the page', () => {
     expect(readLink('preset=engraving').settings.lineField).toBe('auto');
     expect(readLink('preset=engraving&lineField=light').settings.lineField).toBe('light');
     // Links of the page spell out what is not at its default, which was and is the light.
-    expect(readLink('technique=engraved&lineSpacing=4.5&handmade=40').settings.lineField).toBe('light');
+    expect(readLink('technique=engraved&lineSpacing=4.5&irregularity=40').settings.lineField).toBe('light');
   });
 
   test('reset the previous look, and keep the model, the position of the light and the camera', () => {

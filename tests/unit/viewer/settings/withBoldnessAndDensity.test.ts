@@ -14,7 +14,7 @@ test('boldness scales widths and spacings alike, and nothing else', () => {
     strokeWidth: 2,
     lineSpacing: 2,
     outlineWidth: 2,
-    tilesPerUnit: 0.5,
+    tilesPerObjectUnit: 0.5,
   });
 });
 
