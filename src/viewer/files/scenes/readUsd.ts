@@ -9,7 +9,9 @@ const SIGNATURE = '#usda';
 /** Reads a USD file: text, binary or package (USDZ). @throws Error of the loader */
 export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedScene> {
   const notes = new Set<string>();
-  const restore = await patchComposer(notes);
+  const prototype = await composerPrototype();
+  // Nothing is awaited while the composer is patched, so that two files that are read at once do not undo each other's patch.
+  const restore = prototype ? patchUsd(prototype, notes) : () => {};
   try {
     const isText = new TextDecoder('latin1').decode(bytes.subarray(0, SIGNATURE.length)) === SIGNATURE;
     const content = isText ? plainUsda(new TextDecoder().decode(bytes)) : bytes.slice().buffer;
@@ -21,13 +23,13 @@ export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedSc
   }
 }
 
-/** Versions of three.js without this composer module are left unpatched. */
-async function patchComposer(notes: Set<string>): Promise<() => void> {
+/** The prototype of three's USD composer; null in versions of three.js without this module. */
+async function composerPrototype(): Promise<UsdComposer | null> {
   try {
     const { USDComposer } = await import('three/addons/loaders/usd/USDComposer.js');
-    return patchUsd(USDComposer.prototype as UsdComposer, notes);
+    return USDComposer.prototype as UsdComposer;
   } catch {
-    return () => {};
+    return null;
   }
 }
 

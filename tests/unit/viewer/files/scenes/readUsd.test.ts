@@ -60,6 +60,12 @@ describe('USD', () => {
     );
   });
 
+  test('files that are read at once do not change how the others are read', async () => {
+    const hidden = layer(square('first', 0), square('b', 2, 'token visibility = "invisible"'));
+    const seen = await Promise.all(Array.from({ length: 4 }, () => read(['a.usda', hidden])));
+    expect(seen.map(triangles)).toEqual([2, 2, 2, 2]);
+  });
+
   test('faces in no subset are drawn with the material of their mesh', async () => {
     const subset = (material: string): string => `
         def GeomSubset "part"
