@@ -33,6 +33,7 @@ export const OFFERS = {
     'occlusion/addDirections.ts',
     'occlusion/OcclusionScene.ts',
     'occlusion/startOcclusion.ts',
+    'orientation/orientTriangles.ts',
   ],
   strokes: [
     'blurToroidal.ts',

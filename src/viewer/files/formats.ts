@@ -54,6 +54,8 @@ export interface ModelFormat {
   up: 'y' | 'z';
   /** Whether the files state their up axis, so that it is not guessed from the shape. */
   isUpCertain?: boolean;
+  /** Whether the files say which side of a triangle is its front, so that nothing is turned. */
+  isWindingCertain?: boolean;
   /** Whether models usually lie flat, as those for 3D printers do. */
   liesFlat?: boolean;
   /** Undefined if three.js has no loader. */
@@ -65,6 +67,7 @@ export interface ModelFormat {
 const GLTF = {
   up: 'y',
   isUpCertain: true,
+  isWindingCertain: true,
   companions: ['bin'],
   loader: { name: 'GLTFLoader', gives: 'scene' },
 } as const;
@@ -120,6 +123,7 @@ export const FORMATS: readonly ModelFormat[] = [
     // The first file of a USDZ package is its root layer.
     isPackage: ([first = '']) => /\.usd[ac]?$/i.test(first),
     up: 'y',
+    isWindingCertain: true,
     loader: { name: 'USDLoader', gives: 'object' },
     read: async ({ bytes, name }) => (await import('./scenes/readUsd.js')).readUsd(bytes, name),
   },

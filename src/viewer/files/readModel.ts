@@ -19,6 +19,7 @@ import { cleanMesh } from './mesh/cleanMesh.js';
 import { dropDuplicates } from './mesh/dropDuplicates.js';
 import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
+import { orientMesh } from './mesh/orientMesh.js';
 import { type NotedMesh, type PlainMesh, thinNote } from './mesh/PlainMesh.js';
 import { isClosed, plainNormals } from './mesh/plainNormals.js';
 import {
@@ -166,7 +167,8 @@ async function readMain(
   const wanted: WantedPicture[] = [];
   const merged = 'isObject3D' in content ? mergeScene(content, wanted, undefined, parsed.notes) : content;
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
-  const { mesh, broken } = cleanMesh(distinct);
+  const { mesh: whole, broken } = cleanMesh(distinct);
+  const { mesh, turned } = format.isWindingCertain ? { mesh: whole, turned: 0 } : orientMesh(whole);
   const { centre, radius } = fitModel(mesh);
   const normals = plainNormals(mesh);
   const { pictures, clear, notes, lostPictures, ...lacks } = await readMeshPictures(
@@ -194,6 +196,7 @@ async function readMain(
       ...other,
       ...brokenNote(parsed.broken + broken),
       ...duplicateNote(duplicates),
+      ...turnedNote(turned),
       ...parsed.details,
     ],
   };
@@ -247,6 +250,9 @@ const brokenNote = (triangles: number): string[] =>
 
 const duplicateNote = (triangles: number): string[] =>
   triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
+
+const turnedNote = (triangles: number): string[] =>
+  triangles === 0 ? [] : [counted(triangles, 'triangle', 'that faced inward turned')];
 
 /** The usual orientation of a format; undefined where files state it. */
 const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | undefined =>

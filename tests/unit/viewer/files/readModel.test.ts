@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { colouredBoxObj, read } from '../../../../tools/modelFiles/modelWriters.js';
+import { colouredBoxObj, measure, read } from '../../../../tools/modelFiles/modelWriters.js';
 
 describe('what the caption says', () => {
   const box = colouredBoxObj.replace('mtllib box.mtl\n', '');
@@ -41,5 +41,22 @@ describe('what the caption says', () => {
     });
     const { notes } = await read(['a.obj', triangles.join('\n')]);
     expect(notes).toEqual(isThin ? ['its triangles are too thin to be hatched'] : []);
+  });
+});
+
+describe('what faces inward', () => {
+  const inward = colouredBoxObj
+    .replace('mtllib box.mtl\n', '')
+    .replace(/^f (\S+) (.*)$/gm, (_, first: string, rest: string) =>
+      ['f', first, ...rest.split(' ').reverse()].join(' '),
+    );
+
+  test('is turned in formats that promise nothing, and said behind "i"', async () => {
+    const right = await read(['a.obj', colouredBoxObj.replace('mtllib box.mtl\n', '')]);
+    const { details, ...found } = await read(['a.obj', inward]);
+    expect(measure(found as typeof right).volume).toBeCloseTo(measure(right).volume, 6);
+    expect(measure(right).volume).toBeGreaterThan(0);
+    expect(details).toEqual(['12 triangles that faced inward turned']);
+    expect(right.details).toEqual([]);
   });
 });

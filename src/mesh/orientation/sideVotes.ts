@@ -1,0 +1,176 @@
+import { mapAxes } from '../occlusion/addDirections.js';
+import { asPhase, forEachChunk } from '../phases.js';
+import type { TriangleMesh } from '../TriangleMesh.js';
+import { NO_PATCH, type Patches } from './consistentPatches.js';
+
+/** Pixels to a side of a map of nearest triangles. */
+const SIZE = 128;
+/** Pairs of opposite directions that a mesh is seen from. */
+const PAIRS = 16;
+/** The least cosine between a triangle's normal and a direction with which its side is told. */
+const LEAST_COSINE = 0.1;
+const NO_TRIANGLE = -1;
+
+/** How many pixels show the front of each patch, and how many its back, from all directions. */
+export interface SideVotes {
+  front: Float64Array;
+  back: Float64Array;
+}
+
+/** The two maps of a pair of directions. */
+interface NearestMaps {
+  /** For each pixel the depth and the triangle that are seen from the first direction, then those from the opposite one. */
+  depths: [Float32Array, Float32Array];
+  triangles: [Int32Array, Int32Array];
+  /** x, y in pixels and depth of each vertex. */
+  projected: Float32Array;
+}
+
+/**
+ * Counts from which side patches are seen, from 32 directions around the mesh. The front of a triangle is where its corners run
+ * counterclockwise after those in `turned` were turned.
+ */
+export function* sideVotes(mesh: TriangleMesh, patches: Patches): Generator<number, SideVotes, void> {
+  const { positions, indices } = mesh;
+  const count = patches.isClosed.length;
+  const votes = { front: new Float64Array(count), back: new Float64Array(count) };
+  const pixels = SIZE * SIZE;
+  const maps: NearestMaps = {
+    depths: [new Float32Array(pixels), new Float32Array(pixels)],
+    triangles: [new Int32Array(pixels), new Int32Array(pixels)],
+    projected: new Float32Array(positions.length),
+  };
+  const { center, radius } = boundingSphere(mesh);
+  for (let pair = 0; pair < PAIRS; pair++) {
+    const { right, up, towards } = mapAxes(pair);
+    const scale = SIZE / (2 * radius);
+    const rows = [right.map((x) => scale * x), up.map((x) => scale * x), towards] as const;
+    const shift = rows.map((row, i) => (i < 2 ? SIZE / 2 : 0) - row.reduce((sum, x, k) => sum + x * center[k], 0));
+    for (const map of maps.triangles) map.fill(NO_TRIANGLE);
+    maps.depths[0].fill(-Infinity);
+    maps.depths[1].fill(Infinity);
+    const { projected } = maps;
+    for (let i = 0; i < positions.length; i += 3) {
+      for (let k = 0; k < 3; k++) {
+        const row = rows[k];
+        projected[i + k] = row[0] * positions[i] + row[1] * positions[i + 1] + row[2] * positions[i + 2] + shift[k];
+      }
+    }
+    yield* asPhase(
+      forEachChunk(indices.length / 3, (start, end) => drawNearest(maps, indices, patches, 1e-5 * radius, start, end)),
+      pair / PAIRS,
+      (pair + 1) / PAIRS,
+    );
+    countVotes(maps, indices, patches, scale, votes);
+  }
+  return votes;
+}
+
+/** Twice the signed area of a projected triangle in square pixels: positive if its front faces the first direction. */
+function signedArea(projected: Float32Array, indices: Uint32Array, turned: Uint8Array, triangle: number): number {
+  const a = 3 * indices[3 * triangle];
+  const b = 3 * indices[3 * triangle + 1];
+  const c = 3 * indices[3 * triangle + 2];
+  const area =
+    (projected[b] - projected[a]) * (projected[c + 1] - projected[a + 1]) -
+    (projected[c] - projected[a]) * (projected[b + 1] - projected[a + 1]);
+  return turned[triangle] ? -area : area;
+}
+
+/** @param tolerance depths that differ by less are alike: of two triangles there, the one that shows its front is taken */
+function drawNearest(
+  { depths: [highest, lowest], triangles: [top, bottom], projected }: NearestMaps,
+  indices: Uint32Array,
+  { turned, patchOf }: Patches,
+  tolerance: number,
+  start: number,
+  end: number,
+): void {
+  for (let triangle = start; triangle < end; triangle++) {
+    if (patchOf[triangle] === NO_PATCH) continue;
+    const a = 3 * indices[3 * triangle];
+    const b = 3 * indices[3 * triangle + 1];
+    const c = 3 * indices[3 * triangle + 2];
+    const ax = projected[a];
+    const ay = projected[a + 1];
+    const bx = projected[b] - ax;
+    const by = projected[b + 1] - ay;
+    const cx = projected[c] - ax;
+    const cy = projected[c + 1] - ay;
+    const left = Math.max(0, Math.ceil(ax + Math.min(0, bx, cx) - 0.5));
+    const right = Math.min(SIZE - 1, Math.floor(ax + Math.max(0, bx, cx) - 0.5));
+    const low = Math.max(0, Math.ceil(ay + Math.min(0, by, cy) - 0.5));
+    const high = Math.min(SIZE - 1, Math.floor(ay + Math.max(0, by, cy) - 0.5));
+    const area = bx * cy - by * cx;
+    if (left > right || low > high || area === 0) continue;
+    const showsFront = area > 0 !== (turned[triangle] === 1);
+    const az = projected[a + 2];
+    const bz = projected[b + 2] - az;
+    const cz = projected[c + 2] - az;
+    for (let y = low; y <= high; y++) {
+      for (let x = left; x <= right; x++) {
+        const px = x + 0.5 - ax;
+        const py = y + 0.5 - ay;
+        const shareB = (px * cy - py * cx) / area;
+        const shareC = (py * bx - px * by) / area;
+        if (shareB < 0 || shareC < 0 || shareB + shareC > 1) continue;
+        const depth = az + shareB * bz + shareC * cz;
+        const pixel = y * SIZE + x;
+        if (depth > highest[pixel] + (showsFront ? -tolerance : tolerance)) {
+          highest[pixel] = depth;
+          top[pixel] = triangle;
+        }
+        if (depth < lowest[pixel] + (showsFront ? -tolerance : tolerance)) {
+          lowest[pixel] = depth;
+          bottom[pixel] = triangle;
+        }
+      }
+    }
+  }
+}
+
+function countVotes(
+  { triangles, projected }: NearestMaps,
+  indices: Uint32Array,
+  { turned, patchOf }: Patches,
+  scale: number,
+  { front, back }: SideVotes,
+): void {
+  for (const [i, map] of triangles.entries()) {
+    for (const triangle of map) {
+      if (triangle === NO_TRIANGLE) continue;
+      const area = signedArea(projected, indices, turned, triangle);
+      if (Math.abs(area) < LEAST_COSINE * doubleAreaOf(projected, indices, triangle, scale)) continue;
+      const isFront = i === 0 ? area > 0 : area < 0;
+      (isFront ? front : back)[patchOf[triangle]]++;
+    }
+  }
+}
+
+/** Twice the area of a triangle, in square pixels. */
+function doubleAreaOf(projected: Float32Array, indices: Uint32Array, triangle: number, scale: number): number {
+  const [a, b, c] = [0, 1, 2].map((k) => 3 * indices[3 * triangle + k]);
+  const side = (end: number): [number, number, number] => [
+    projected[end] - projected[a],
+    projected[end + 1] - projected[a + 1],
+    scale * (projected[end + 2] - projected[a + 2]),
+  ];
+  const [ux, uy, uz] = side(b);
+  const [vx, vy, vz] = side(c);
+  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+}
+
+/** The sphere about the middle of the bounding box of all vertices in use. */
+function boundingSphere({ positions, indices }: TriangleMesh): { center: number[]; radius: number } {
+  const least = [Infinity, Infinity, Infinity];
+  const most = [-Infinity, -Infinity, -Infinity];
+  for (const vertex of indices) {
+    for (let k = 0; k < 3; k++) {
+      const x = positions[3 * vertex + k];
+      if (x < least[k]) least[k] = x;
+      if (x > most[k]) most[k] = x;
+    }
+  }
+  const center = least.map((x, k) => (x + most[k]) / 2);
+  return { center, radius: Math.max(Math.hypot(...most.map((x, k) => x - center[k])), 1e-30) };
+}

@@ -1,0 +1,92 @@
+import { orientTriangles } from '../../../mesh/orientation/orientTriangles.js';
+import type { PlainMesh } from './PlainMesh.js';
+
+/**
+ * Turns the triangles that face the wrong way, in place or in a copy of the arrays that change, and with them the normals that point to
+ * the side that is the back now. A vertex that a turned and another triangle share becomes two.
+ *
+ * @returns the mesh, and the number of triangles that were turned
+ */
+export function orientMesh(mesh: PlainMesh): { mesh: PlainMesh; turned: number } {
+  const indices = mesh.indices
+    ? new Uint32Array(mesh.indices)
+    : Uint32Array.from({ length: mesh.positions.length / 3 }, (_, i) => i);
+  const isTurned = finished(orientTriangles({ positions: new Float32Array(mesh.positions), indices }));
+  const turned = isTurned.reduce((sum, one) => sum + one, 0);
+  if (turned === 0) return { mesh, turned };
+  const copies = shareNoVertices(indices, isTurned, mesh.positions.length / 3);
+  for (let triangle = 0; triangle < isTurned.length; triangle++) {
+    if (!isTurned[triangle]) continue;
+    const corner = 3 * triangle;
+    [indices[corner + 1], indices[corner + 2]] = [indices[corner + 2], indices[corner + 1]];
+  }
+  const positions = withCopies(mesh.positions, copies, 3);
+  const normals = mesh.normals && withCopies(mesh.normals, copies, 3);
+  if (normals) turnNormals(positions, normals, indices, isTurned);
+  return {
+    mesh: {
+      ...mesh,
+      positions,
+      normals,
+      colors: mesh.colors && withCopies(mesh.colors, copies, 3),
+      ...(mesh.uvs && { uvs: withCopies(mesh.uvs, copies, 2) }),
+      indices,
+    },
+    turned,
+  };
+}
+
+function finished<Result>(task: Generator<number, Result, void>): Result {
+  for (;;) {
+    const step = task.next();
+    if (step.done) return step.value;
+  }
+}
+
+/** Gives turned triangles vertices of their own where they share some with others. @returns the vertices that get a copy, in order */
+function shareNoVertices(indices: Uint32Array, isTurned: Uint8Array, vertexCount: number): number[] {
+  const isKept = new Uint8Array(vertexCount);
+  for (let corner = 0; corner < indices.length; corner++) {
+    if (!isTurned[Math.floor(corner / 3)]) isKept[indices[corner]] = 1;
+  }
+  const copies: number[] = [];
+  const copyOf = new Map<number, number>();
+  for (let corner = 0; corner < indices.length; corner++) {
+    const vertex = indices[corner];
+    if (!isTurned[Math.floor(corner / 3)] || !isKept[vertex]) continue;
+    let copy = copyOf.get(vertex);
+    if (copy === undefined) {
+      copy = vertexCount + copies.push(vertex) - 1;
+      copyOf.set(vertex, copy);
+    }
+    indices[corner] = copy;
+  }
+  return copies;
+}
+
+function withCopies(values: Float32Array, copies: readonly number[], size: number): Float32Array {
+  const all = new Float32Array(values.length + size * copies.length);
+  all.set(values);
+  for (const [i, vertex] of copies.entries()) {
+    all.set(values.subarray(size * vertex, size * (vertex + 1)), values.length + size * i);
+  }
+  return all;
+}
+
+/** Reverses the normals of turned triangles that point away from the side that is their front now. */
+function turnNormals(positions: Float32Array, normals: Float32Array, indices: Uint32Array, isTurned: Uint8Array): void {
+  const sides = new Float64Array(positions.length / 3);
+  for (let triangle = 0; triangle < isTurned.length; triangle++) {
+    if (!isTurned[triangle]) continue;
+    const [a, b, c] = [0, 1, 2].map((k) => 3 * indices[3 * triangle + k]);
+    const [ux, uy, uz] = [0, 1, 2].map((k) => positions[b + k] - positions[a + k]);
+    const [vx, vy, vz] = [0, 1, 2].map((k) => positions[c + k] - positions[a + k]);
+    const face = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    for (const at of [a, b, c]) {
+      sides[at / 3] += face[0] * normals[at] + face[1] * normals[at + 1] + face[2] * normals[at + 2];
+    }
+  }
+  for (let vertex = 0; vertex < sides.length; vertex++) {
+    if (sides[vertex] < 0) for (let k = 0; k < 3; k++) normals[3 * vertex + k] *= -1;
+  }
+}
