@@ -30,6 +30,7 @@ export {
 } from './material/outlines/HatchingOutlineMaterial.js';
 export { HatchingOutlines } from './material/outlines/HatchingOutlines.js';
 export type { MeshOutlines } from './material/outlines/MeshOutlines.js';
+export type { OutlineWeights } from './material/outlines/OutlineWeights.js';
 export type { OutlineNumberName } from './material/outlines/outlineProperties.js';
 export { millimetresToPixels } from './material/outlines/outlineProperties.js';
 export type { PropertyFields } from './material/PropertyFields.js';

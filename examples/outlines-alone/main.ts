@@ -58,8 +58,7 @@ await applyHatching(scene, {
     outlineWidth: 2.2,
     wobble: 0.7,
     overshoot: 3,
-    creases: 0.8,
-    shadeWeights: [1, 1],
+    weights: { creases: 0.8, lit: 1, shade: 1 },
     ink: '#1c1a17',
   },
 });

@@ -35,7 +35,7 @@ const mesh = new Mesh(
   await prepareHatchingGeometry(ground, { outlines: true }),
   new HatchingMaterial({ preset: 'engraving', lineField: 'y', toneCurve: TONES, crossFrom: 0.75 }),
 );
-mesh.add(new HatchingOutlines(mesh, { ...presets.engraving.outlines, creases: 0, borders: 0 }));
+mesh.add(new HatchingOutlines(mesh, { ...presets.engraving.outlines, weights: { creases: 0, borders: 0 } }));
 
 const light = new DirectionalLight(0xffffff, Math.PI);
 light.position.set(-4, 2.6, 0.5);

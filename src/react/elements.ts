@@ -1,5 +1,10 @@
 import { extend, invalidate, type ThreeElement } from '@react-three/fiber';
-import { HatchingMaterial, type HatchingOutlineMaterial, type HatchingOutlines } from 'three-hatching';
+import {
+  HatchingMaterial,
+  type HatchingOutlineMaterial,
+  type HatchingOutlineParameters,
+  type HatchingOutlines,
+} from 'three-hatching';
 
 /**
  * The material of `<hatchingMaterial>`: it requests a frame when its map and its code have loaded, for a canvas with
@@ -35,7 +40,8 @@ declare module '@react-three/fiber' {
      */
     hatchingOutlines: ThreeElement<typeof HatchingOutlines>;
     /** A `HatchingOutlineMaterial`, which several outlines may share, after `extend({ HatchingOutlineMaterial })`. */
-    hatchingOutlineMaterial: ThreeElement<typeof HatchingOutlineMaterial>;
+    hatchingOutlineMaterial: Omit<ThreeElement<typeof HatchingOutlineMaterial>, 'weights'> &
+      Pick<HatchingOutlineParameters, 'weights'>;
   }
 }
 

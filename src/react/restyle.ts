@@ -3,6 +3,7 @@ import type {
   ApplyHatchingOptions,
   HatchedScene,
   HatchingMaterialParameters,
+  HatchingOutlineParameters,
   HatchingPropertyName,
 } from 'three-hatching';
 import {
@@ -55,12 +56,14 @@ function materialChanges(from: object, to: object): HatchingMaterialParameters |
   return [from, to].some(needsAdjacency) ? null : changes;
 }
 
+/** The options of outlines with all weights, since new weights are set over present ones. */
+const withWeights = (outlines: boolean | { weights?: object | undefined }): Values => {
+  const given = Object(outlines) as HatchingOutlineParameters;
+  return { ...given, weights: { ...HATCHING_OUTLINE_DEFAULTS.weights, ...given.weights } };
+};
+
 function lineChanges(from: boolean | object, to: boolean | object): Values | null {
-  const changes = changed(
-    Object(from) as Values,
-    Object(to) as Values,
-    (name) => (HATCHING_OUTLINE_DEFAULTS as Values)[name],
-  );
+  const changes = changed(withWeights(from), withWeights(to), (name) => (HATCHING_OUTLINE_DEFAULTS as Values)[name]);
   return changes && Object.keys(changes).some((name) => BAKED_OUTLINE_OPTIONS.includes(name)) ? null : changes;
 }
 

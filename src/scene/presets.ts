@@ -17,12 +17,9 @@ const makeOutlines = (): Record<PresetName, HatchingPreset['outlines']> => ({
   banknote: { outlineWidth: 0.9, ink: '#18332f' },
   technical: {
     outlineWidth: 1.6,
-    innerContours: 0.6,
-    creases: 0.6,
-    materialBorders: 0.6,
+    weights: { innerContours: 0.6, creases: 0.6, materialBorders: 0.6, lit: 1, shade: 1 },
     lostEdges: 0,
     accents: 0,
-    shadeWeights: [1, 1],
     ink: BLACK,
   },
   woodcut: { outlineWidth: 3.2, ink: '#120e0a' },
@@ -83,10 +80,16 @@ export function withPreset(
     material: typeof own === 'function' ? (...args) => ({ ...material, ...own(...args) }) : { ...material, ...own },
     outlines:
       typeof ownOutlines === 'object' && ownOutlines !== null
-        ? { ...outlines, ...ownOutlines }
+        ? overridden(outlines, ownOutlines)
         : ownOutlines && outlines,
     tonalArtMap: options.tonalArtMap === undefined && !namesMap ? ofPreset : options.tonalArtMap,
   };
+}
+
+/** The outlines of a preset with your own options over them, weight by weight. */
+function overridden(outlines: HatchingPreset['outlines'], own: HatchingPreset['outlines']): HatchingPreset['outlines'] {
+  const hasBoth = outlines.weights && typeof own.weights === 'object' && own.weights !== null;
+  return { ...outlines, ...own, ...(hasBoth && { weights: { ...outlines.weights, ...own.weights } }) };
 }
 
 function presetOf(preset: PresetName | HatchingPreset): HatchingPreset {

@@ -14,7 +14,7 @@ test('outlines of a surface are thinner with its depth, and heavier in front tha
     const camera = new THREE.OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 50);
     const hatched = await applyHatching(root, {
       material: { technique: 'engraved' },
-      outlines: { outlineWidth: 2, shadeWeights: [1, 1] },
+      outlines: { outlineWidth: 2, weights: { lit: 1, shade: 1 } },
     });
     // In this light the sheets are blank.
     const scene = sceneOf(root, new THREE.AmbientLight('white', 2 * Math.PI));

@@ -16,7 +16,7 @@ test('the three hidden edges of a cube are dashed from corner to corner, or fain
       window.lining;
     const size = 500;
     const camera = lookFrom(2, 1.6, 3);
-    const mesh = await outlinedMesh(new THREE.BoxGeometry(1.4, 1.4, 1.4), { outlineWidth: 3, creases: 1 });
+    const mesh = await outlinedMesh(new THREE.BoxGeometry(1.4, 1.4, 1.4), { outlineWidth: 3, weights: { creases: 1 } });
     const { material } = outlinesOf(mesh);
     const scene = paperScene(mesh);
     const drawn = (hidden: 'none' | 'dashed' | 'faint') => {

@@ -48,7 +48,7 @@ for (const [name, stack] of Object.entries(STACKS)) {
           round: () => new THREE.CylinderGeometry(0.1, 0.1, 1.3, 32),
           hexagonal: () => new THREE.CylinderGeometry(0.1, 0.1, 1.3, 6),
         };
-        const options = { creases: 1, innerContours: 1, lostEdges: 0, accents: 0 };
+        const options = { weights: { creases: 1, innerContours: 1 }, lostEdges: 0, accents: 0 };
         const stacked = await outlinedInstances(
           plates[plate](),
           [-0.25, 0, 0.25].map((y) => new THREE.Matrix4().setPosition(0, y, 0)),

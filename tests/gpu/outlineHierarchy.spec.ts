@@ -19,7 +19,7 @@ for (const lostEdges of [0, 0.2, 0.6, 1]) {
         const size = 700;
         const mesh = await outlinedMesh(new THREE.IcosahedronGeometry(1, 60), {
           outlineWidth: 5,
-          shadeWeights: [0.6, 1.7],
+          weights: { lit: 0.6, shade: 1.7 },
           lostEdges,
         });
         const light = new THREE.DirectionalLight(0xffffff, 3);
@@ -69,13 +69,12 @@ test('before a surface a contour weighs half, before one far behind as before th
 }) => {
   const { paper, near, far } = await page.evaluate(async () => {
     const { THREE, outlinedMesh, paperScene, lookFrom, draw, rendererOf, HATCHING_OUTLINE_DEFAULTS } = window.lining;
-    const { innerContours, creases } = HATCHING_OUTLINE_DEFAULTS;
+    const { innerContours, creases } = HATCHING_OUTLINE_DEFAULTS.weights;
     const size = 400;
     // The box stands on its corner, so that its upright edges are a crease in the middle and contours on both sides.
     const mesh = await outlinedMesh(new THREE.BoxGeometry(0.8, 3, 0.8).rotateY(Math.PI / 4), {
       outlineWidth: 4,
-      innerContours,
-      creases,
+      weights: { innerContours, creases },
     });
     const wall = new THREE.Mesh(new THREE.PlaneGeometry(60, 60), new THREE.MeshBasicMaterial());
     const camera = lookFrom(0, 0, 4);
@@ -132,10 +131,10 @@ test('while the light moves no outline pops', { tag: '@all' }, async ({ page }) 
   const { changes, inks } = await page.evaluate(async () => {
     const { THREE, outlinedMesh, paperScene, lookFrom, draw, mostDifferent, total, HATCHING_OUTLINE_DEFAULTS } =
       window.lining;
-    const { shadeWeights, innerContours, lostEdges, accents } = HATCHING_OUTLINE_DEFAULTS;
+    const { weights, lostEdges, accents } = HATCHING_OUTLINE_DEFAULTS;
+    const { innerContours, lit, shade } = weights;
     const mesh = await outlinedMesh(new THREE.TorusKnotGeometry(0.7, 0.25, 240, 40), {
-      shadeWeights,
-      innerContours,
+      weights: { innerContours, lit, shade },
       lostEdges,
       accents,
     });

@@ -181,10 +181,10 @@ test('with a list of candidates, without, and just before the list runs out the 
     const listed = draw(scene, camera);
     const counts = [outlines.geometry.drawRange.count];
     // A weight so small draws nothing, but asks for every triangle.
-    outlines.material.suggestiveContours = 1e-9;
+    outlines.material.weights.suggestiveContours = 1e-9;
     const all = draw(scene, camera);
     counts.push(outlines.geometry.drawRange.count);
-    outlines.material.suggestiveContours = 0;
+    outlines.material.weights.suggestiveContours = 0;
     // 0.75° of turn at the distance from the sphere around it.
     const { radius } = mesh.geometry.boundingSphere!;
     const reach = Math.sin(Math.PI / 240) * (camera.position.length() - radius);
@@ -322,7 +322,7 @@ test('an orthographic camera sees the circle of a sphere', async ({ page }) => {
 test('an outline that runs past the camera is cut off there, not dropped', async ({ page }) => {
   const { bottom, middle } = await page.evaluate(async () => {
     const { THREE, outlinedMesh, paperScene, draw, pixelOf, inkNear } = window.lining;
-    const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 0.2, 40), { creases: 1 });
+    const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 0.2, 40), { weights: { creases: 1 } });
     const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 100);
     camera.position.set(0, 1, 5);
     const ink = draw(paperScene(mesh), camera);

@@ -19,10 +19,7 @@ type Options = HatchingOutlineParameters & { layout?: PrepareHatchingGeometryOpt
 
 /** Weights that do not depend on light or on what lies behind, so that widths are those asked for; and creases that are easily found. */
 const EVEN = {
-  shadeWeights: [1, 1],
-  innerContours: 1,
-  creases: 0.6,
-  materialBorders: 0.6,
+  weights: { lit: 1, shade: 1, innerContours: 1, creases: 0.6, materialBorders: 0.6 },
   lostEdges: 0,
   accents: 0,
 } as const;
@@ -35,7 +32,7 @@ async function outlinedMesh(source: THREE.BufferGeometry, options: Options = {})
   const untouched = { blending, blendSrc: THREE.ZeroFactor, blendDst: THREE.OneFactor };
   const paper = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, ...untouched, depthWrite: !isClear });
   const mesh = new THREE.Mesh(geometry, paper);
-  mesh.add(new HatchingOutlines(mesh, { ...EVEN, ...parameters }));
+  mesh.add(new HatchingOutlines(mesh, { ...EVEN, ...parameters, weights: { ...EVEN.weights, ...parameters.weights } }));
   return mesh;
 }
 

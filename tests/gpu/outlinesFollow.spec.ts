@@ -122,7 +122,7 @@ test('groups of a mesh fade, vanish and are cut with what draws them', async ({ 
     const camera = lookFrom(1.6, 1.6, 3);
     const renderer = rendererOf(200);
     const look = async (change: (mesh: Three.Mesh, materials: Three.Material[]) => void) => {
-      const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 1, 1), { outlineWidth: 3, creases: 1 });
+      const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 1, 1), { outlineWidth: 3, weights: { creases: 1 } });
       const materials = Array.from({ length: 6 }, () => new THREE.MeshBasicMaterial());
       (mesh as Three.Mesh).material = materials;
       change(mesh, materials);
@@ -187,7 +187,7 @@ test('where a picture or vertices cut a surface away, it has no outlines', async
     const half = new THREE.DataTexture(Uint8Array.of(255, 255, 255, 255, 255, 255, 255, 0), 2, 1);
     half.needsUpdate = true;
     const look = async (material: Three.MeshBasicMaterialParameters, change?: (mesh: Three.Mesh) => void) => {
-      const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 1, 1), { outlineWidth: 3, creases: 1 });
+      const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 1, 1), { outlineWidth: 3, weights: { creases: 1 } });
       Object.assign(mesh.material, material);
       change?.(mesh);
       const ink = draw(paperScene(mesh), camera, renderer);

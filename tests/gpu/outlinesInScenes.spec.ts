@@ -59,7 +59,7 @@ test('tiles of a picture fit together', { tag: '@all' }, async ({ page }) => {
 test('clipping planes cut outlines where they cut the surface', { tag: '@all' }, async ({ page }) => {
   const { beyond, before } = await page.evaluate(async () => {
     const { THREE, outlinedMesh, outlinesOf, paperScene, draw, rendererOf } = window.lining;
-    const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 0.2, 40), { creases: 1, isClear: true });
+    const mesh = await outlinedMesh(new THREE.BoxGeometry(1, 0.2, 40), { weights: { creases: 1 }, isClear: true });
     outlinesOf(mesh).material.clippingPlanes = [new THREE.Plane(new THREE.Vector3(0, 0, 1), 4)];
     const camera = new THREE.PerspectiveCamera(50, 1, 0.1, 100);
     camera.position.set(0, 1, 5);
@@ -90,7 +90,7 @@ test('fog takes outlines along', { tag: '@all' }, async ({ page }) => {
 test('instances have the outlines of separate meshes, also while the eye moves', { tag: '@all' }, async ({ page }) => {
   const pictures = await page.evaluate(async () => {
     const { THREE, outlinedMesh, outlinesOf, paperScene, lookFrom, draw, total, HatchingOutlines } = window.lining;
-    const mesh = await outlinedMesh(new THREE.TorusGeometry(0.4, 0.2, 24, 40), { shadeWeights: [0.5, 1.4] });
+    const mesh = await outlinedMesh(new THREE.TorusGeometry(0.4, 0.2, 24, 40), { weights: { lit: 0.5, shade: 1.4 } });
     const matrices = [
       new THREE.Matrix4().makeRotationX(0.7).setPosition(-0.7, 0.3, 0),
       new THREE.Matrix4()
@@ -298,10 +298,10 @@ test('weights, colours and hand change the picture and build no program, but for
     const steps: [string, HatchingOutlineParameters][] = [
       ['as it is', {}],
       ['wider', { outlineWidth: 4 }],
-      ['no creases', { creases: 0 }],
-      ['nothing', { contours: 0, borders: 0 }],
-      ['grey', { contours: 1, creases: 1, ink: new THREE.Color(0.5, 0.5, 0.5) }],
-      ['shade', { shadeWeights: [0, 1] }],
+      ['no creases', { weights: { creases: 0 } }],
+      ['nothing', { weights: { contours: 0, borders: 0 } }],
+      ['grey', { weights: { contours: 1, creases: 1 }, ink: new THREE.Color(0.5, 0.5, 0.5) }],
+      ['shade', { weights: { lit: 0, shade: 1 } }],
       ['hand', { wobble: 2, overshoot: 5 }],
       ['other hand', { wobble: 3, overshoot: 0 }],
     ];
@@ -443,7 +443,7 @@ test('wobble is fixed to the object: wobbling outlines move no more than plain o
 }, async ({ page }) => {
   const { strays, moved } = await page.evaluate(async () => {
     const { THREE, outlinedMesh, outlinesOf, paperScene, lookFrom, draw, strayInk, mostDifferent } = window.lining;
-    const mesh = await outlinedMesh(new THREE.BoxGeometry(1.4, 0.9, 1.1), { wobble: 3, creases: 1 });
+    const mesh = await outlinedMesh(new THREE.BoxGeometry(1.4, 0.9, 1.1), { wobble: 3, weights: { creases: 1 } });
     const scene = paperScene(mesh);
     const from = (degrees: number) => {
       const angle = (degrees * Math.PI) / 180;

@@ -145,7 +145,7 @@ const LOOKS: Record<string, Look> = {
   grain: { material: { technique: 'anchored', medium: 'dry', paperGrain: 1, paperGrainSize: 6, softness: 0.2 } },
   outlines: {
     material: { technique: 'anchored', toneCurve: BLANK },
-    outlines: { outlineWidth: 5, wobble: 6, overshoot: 5, creases: 1, shadeWeights: [1, 1] },
+    outlines: { outlineWidth: 5, wobble: 6, overshoot: 5, weights: { creases: 1, lit: 1, shade: 1 } },
   },
 };
 

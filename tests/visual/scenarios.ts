@@ -1,6 +1,6 @@
 import type { HatchingMaterialOptions, HatchingOutlineParameters, PresetName, TonalArtMap } from 'three-hatching';
 
-type LineSetting = 'outlineWidth' | 'creases' | 'suggestiveContours' | 'wobble' | 'overshoot';
+type LineSetting = 'outlineWidth' | 'weights' | 'wobble' | 'overshoot';
 
 type Triple = readonly [x: number, y: number, z: number];
 
@@ -268,7 +268,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Suggestive contours beside contours.',
     material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
-    outlines: { outlineWidth: 2, suggestiveContours: 0.6 },
+    outlines: { outlineWidth: 2, weights: { suggestiveContours: 0.6 } },
   },
   {
     ...dragon,

@@ -396,7 +396,11 @@ export const FIGURES: readonly Figure[] = [
         panels: [
           { name: 'none', label: 'none', look: { outlines: false } },
           { name: 'contours', label: 'contours and creases' },
-          { name: 'suggestive', label: 'suggestive', look: { outlines: { suggestiveContours: 0.6, wobble: 4 } } },
+          {
+            name: 'suggestive',
+            label: 'suggestive',
+            look: { outlines: { weights: { suggestiveContours: 0.6 }, wobble: 4 } },
+          },
         ],
       },
     ],

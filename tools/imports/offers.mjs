@@ -126,6 +126,7 @@ export const OFFERS = {
     'outlines/MeshOutlines.ts',
     'outlines/OutlineParts.ts',
     'outlines/outlineProperties.ts',
+    'outlines/OutlineWeights.ts',
     'outlines/outlineUniforms.ts',
     'outlines/surfaceRules.ts',
     'parts/exposure.ts',

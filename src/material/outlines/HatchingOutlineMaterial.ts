@@ -8,7 +8,6 @@ import {
   type Mesh,
   type PerspectiveCamera,
   ShaderMaterial,
-  Vector2,
   type Vector4,
   type WebGLRenderer,
 } from 'three';
@@ -30,7 +29,6 @@ import { checkColor } from '../checkValues.js';
 import { FrameStamp } from '../FrameStamp.js';
 import { type FadingLook, takesWeight, writeFading, writeImportance } from '../fading/fading.js';
 import { writeSheet } from '../pictureOffset.js';
-import type { Vector2Like } from '../propertyValues.js';
 import type { Shaders } from '../shaders/hatchingShaders.js';
 import { conventionsChunk } from '../shaders/shaderConventions.js';
 import { definesOf, resolveIncludes } from '../shaders/shaderText.js';
@@ -38,12 +36,13 @@ import { toothConstantsChunk } from '../tam/patternSizes.js';
 import { toothMap } from '../tam/toothMap.js';
 import { lightChunks } from '../three/lightKinds.js';
 import { MeshUniforms } from '../three/MeshUniforms.js';
+import { type OutlineWeights, setWeights } from './OutlineWeights.js';
 import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName } from './outlineProperties.js';
 import {
   checkHidden,
-  checkShadeWeights,
   createOutlineUniforms,
   defineOutlineNumbers,
+  defineOutlineWeights,
   OUTLINE_MESH_UNIFORMS,
   writeOutlineLook,
 } from './outlineUniforms.js';
@@ -98,8 +97,8 @@ const NO_LOOK = -1;
 export type HatchingOutlineParameters = MaterialParameters &
   Partial<Pick<HatchingOutlineMaterial, OutlineNumberName>> & {
     ink?: ColorRepresentation | undefined;
-    /** The weights on the lit side and in the shade, each 0 or more. */
-    shadeWeights?: Vector2Like | undefined;
+    /** Some of the weights, or all. */
+    weights?: Partial<OutlineWeights> | undefined;
     hidden?: HiddenOutlines | undefined;
     fog?: boolean | undefined;
     clipping?: boolean | undefined;
@@ -117,24 +116,6 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
 
   /** Width of an outline of weight 1, in CSS pixels, above 0. In print, see `millimetresToPixels`. Default 1.8. */
   declare outlineWidth: number;
-  /** Weight of contours, along which the surface turns away from the eye, 0 or more; 0 draws none. Default 1. */
-  declare contours: number;
-  /**
-   * Weight of contours and borders with a surface behind them, as a share of their weight in front of the paper, 0 or more. A surface
-   * more than half the height of the view behind them counts as paper. 1 draws all alike. Default 0.5.
-   */
-  declare innerContours: number;
-  /** Weight of borders, where the surface ends, 0 or more; 0 draws none. Default 1. */
-  declare borders: number;
-  /** Weight of creases, sharp edges with both sides visible, 0 or more; 0 draws none. Default 0.35. */
-  declare creases: number;
-  /** Weight of edges between groups of a geometry, on meshes with several materials, 0 or more; 0 draws none. Default 0.35. */
-  declare materialBorders: number;
-  /**
-   * Weight of suggestive contours, where a contour would appear if the eye moved a little (DeCarlo et al., 2003), 0 or
-   * more; 0 draws none. Every triangle is tested for them. Default 0; try 0.6.
-   */
-  declare suggestiveContours: number;
   /**
    * The share of the contours between a lit surface and the paper that is lost, from 0 (none) to 1 (every lit one). The brightest parts
    * are lost first. A thin line remains, thinner the larger the share: 0.12 of its width at 1. Default 0.2.
@@ -161,8 +142,8 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   declare paperGrainSize: number;
   /** Colour of the outlines. Default black. */
   ink: Color = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
-  /** Weights on the lit side and in the shade, each 0 or more, under all lights of the scene. Default (0.7, 1.7). */
-  shadeWeights: Vector2 = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
+  /** How heavy each kind of line is. Set them one by one, or some of them by `setValues({ weights: { creases: 0 } })`. */
+  declare readonly weights: OutlineWeights;
 
   /** Uploads the uniforms that differ between meshes. @internal */
   readonly ofMesh: MeshUniforms;
@@ -172,7 +153,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   private readonly written = new FrameStamp();
   private writtenLook = NO_LOOK;
 
-  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
+  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour, or `weights` has an unknown name */
   // React Three Fiber resets a removed attribute to its default only if the constructor's `length` is 0.
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
     super();
@@ -180,6 +161,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
       // The define is set at once, so that `renderer.compile` compiles the program that frames use.
       if (name === 'wobble' || name === 'paperGrain') this.setDefine(constantCase(name), value > 0);
     });
+    defineOutlineWeights(this, 'HatchingOutlineMaterial');
     this.uniforms = createOutlineUniforms();
     Object.assign(this, outlineShaders());
     this.lights = true;
@@ -197,15 +179,14 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /**
    * Sets properties by name, as `setValues` of three.js does.
    *
-   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour
+   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour, or `weights` has an unknown name
    */
   override setValues(values?: HatchingOutlineParameters): void {
     if (!values) return;
     if (values.ink !== undefined) checkColor('HatchingOutlineMaterial.ink', values.ink);
-    const { shadeWeights, ...others } = values;
+    const { weights, ...others } = values;
+    if (weights !== undefined) setWeights(this.weights, weights, 'HatchingOutlineMaterial');
     super.setValues(others as MaterialParameters);
-    if (shadeWeights !== undefined)
-      this.shadeWeights.set(...checkShadeWeights(shadeWeights, 'HatchingOutlineMaterial'));
   }
 
   /**
@@ -228,7 +209,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     this.clipping = source.clipping;
     for (const name of OUTLINE_NUMBER_NAMES) this[name] = source[name];
     this.ink.copy(source.ink);
-    this.shadeWeights.copy(source.shadeWeights);
+    Object.assign(this.weights, source.weights);
     this.hidden = source.hidden;
     return this;
   }
@@ -288,7 +269,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
 
   private writeMesh(isDeformed: boolean, hasMaterials: boolean): void {
     // If all groups have the same material, there are no borders between materials.
-    this.uniforms.materialBorders.value = hasMaterials ? this.materialBorders : 0;
+    this.uniforms.materialBorders.value = hasMaterials ? this.weights.materialBorders : 0;
     this.setDefine('DEFORMED', isDeformed);
   }
 

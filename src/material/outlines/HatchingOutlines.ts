@@ -158,7 +158,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
   /** Makes the next draw show one part of the outlines. */
   private bindPart(renderer: WebGLRenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
     const { material } = this;
-    const { suggestiveContours, uniforms } = material;
+    const { uniforms, weights } = material;
     const { data, surface } = part;
     this.beginSurface(surface);
     if (isClipped(surface)) forgetClipping(renderer, material);
@@ -169,7 +169,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     if (uniforms.radius.value !== (data.radius || 1)) uniforms.radius.value = data.radius || 1;
     this.bindCamera(renderer, camera, mesh);
     // Suggestive contours may be anywhere on surfaces that face the eye.
-    const isAnywhere = this.isDeformed || suggestiveContours > 0;
+    const isAnywhere = this.isDeformed || weights.suggestiveContours > 0;
     const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);
     if (list instanceof InstanceList) {
       // The list holds the instance of each primitive, so three.js draws a single instance.

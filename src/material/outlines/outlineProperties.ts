@@ -3,12 +3,16 @@ import type { NumberRange } from '../../look/HatchingProperty.js';
 /** The defaults of all properties of `HatchingOutlineMaterial`; colours as 0xrrggbb. */
 export const HATCHING_OUTLINE_DEFAULTS = {
   outlineWidth: 1.8,
-  contours: 1,
-  innerContours: 0.5,
-  borders: 1,
-  creases: 0.35,
-  materialBorders: 0.35,
-  suggestiveContours: 0,
+  weights: {
+    contours: 1,
+    innerContours: 0.5,
+    borders: 1,
+    creases: 0.35,
+    materialBorders: 0.35,
+    suggestiveContours: 0,
+    lit: 0.7,
+    shade: 1.7,
+  },
   lostEdges: 0.2,
   accents: 0.5,
   taper: 0.8,
@@ -17,19 +21,12 @@ export const HATCHING_OUTLINE_DEFAULTS = {
   paperGrain: 0,
   paperGrainSize: 2.5,
   ink: 0x000000,
-  shadeWeights: [0.7, 1.7],
   hidden: 'none',
 } as const;
 
 /** The ranges of the numeric properties. Each has a uniform of the same name. */
 export const OUTLINE_NUMBERS = {
   outlineWidth: { above: 0 },
-  contours: { from: 0 },
-  innerContours: { from: 0 },
-  borders: { from: 0 },
-  creases: { from: 0 },
-  materialBorders: { from: 0 },
-  suggestiveContours: { from: 0 },
   lostEdges: { from: 0, to: 1 },
   accents: { from: 0 },
   taper: { from: 0 },
@@ -40,6 +37,8 @@ export const OUTLINE_NUMBERS = {
 } as const satisfies Partial<Record<keyof typeof HATCHING_OUTLINE_DEFAULTS, NumberRange>>;
 
 export type OutlineNumberName = keyof typeof OUTLINE_NUMBERS;
+
+export type OutlineWeightName = keyof typeof HATCHING_OUTLINE_DEFAULTS.weights;
 
 /** The properties that are measured in CSS pixels. */
 export const OUTLINE_SIZES = [
@@ -59,6 +58,13 @@ export function scaledOutlineSizes<Look extends { readonly [Name in OutlineNumbe
 }
 
 export const OUTLINE_NUMBER_NAMES = /* @__PURE__ */ Object.keys(OUTLINE_NUMBERS) as OutlineNumberName[];
+
+export const OUTLINE_WEIGHT_NAMES = /* @__PURE__ */ Object.keys(
+  HATCHING_OUTLINE_DEFAULTS.weights,
+) as OutlineWeightName[];
+
+/** The weights of kinds of lines. Each has a uniform of the same name. */
+export const WEIGHTED_LINES = /* @__PURE__ */ OUTLINE_WEIGHT_NAMES.filter((name) => name !== 'lit' && name !== 'shade');
 
 const MILLIMETRES_PER_INCH = 25.4;
 

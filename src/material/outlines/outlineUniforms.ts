@@ -3,13 +3,14 @@ import { HIDDEN_OUTLINES, type HiddenOutlines } from '../../look/hiddenOutlines.
 import { checkNumber } from '../checkNumber.js';
 import { createFadingUniforms } from '../fading/fading.js';
 import { keptFromProxies } from '../hatchingUniforms.js';
-import type { Vector2Like } from '../propertyValues.js';
+import { OutlineWeights, setWeights } from './OutlineWeights.js';
 import {
   HATCHING_OUTLINE_DEFAULTS,
   OUTLINE_NUMBER_NAMES,
   OUTLINE_NUMBERS,
   OUTLINE_SIZES,
   type OutlineNumberName,
+  WEIGHTED_LINES,
 } from './outlineProperties.js';
 
 /** The uniforms that may differ between outlines with the same material, and all textures (see `MeshUniforms`). */
@@ -38,11 +39,11 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
       UniformsLib.lights,
       UniformsLib.fog,
       createFadingUniforms(),
-      Object.fromEntries(OUTLINE_NUMBER_NAMES.map((name) => [name, { value: 0 }])),
+      Object.fromEntries([...OUTLINE_NUMBER_NAMES, ...WEIGHTED_LINES].map((name) => [name, { value: 0 }])),
       {
         ink: { value: null },
         opacity: { value: 1 },
-        shadeWeights: { value: null },
+        shadeWeights: { value: new Vector2() },
         toothMap: { value: null },
         isDashed: { value: false },
         // Geometry and mesh.
@@ -73,7 +74,7 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
 /** The values of an outline material. */
 type OutlineLook = Record<OutlineNumberName, number> & {
   ink: Color;
-  shadeWeights: Vector2;
+  weights: OutlineWeights;
   opacity: number;
   hidden: HiddenOutlines;
 };
@@ -99,6 +100,23 @@ export function defineOutlineNumbers(
   }
 }
 
+/**
+ * Defines the weights of a material. An object that is assigned sets them to what it has, and to the defaults where it has nothing, as
+ * attributes of React Three Fiber do.
+ *
+ * @param owner the name of the class
+ */
+export function defineOutlineWeights(material: object, owner: string): void {
+  const weights = new OutlineWeights(owner);
+  Object.defineProperty(material, 'weights', {
+    get: () => weights,
+    set: (values: Partial<OutlineWeights>) => {
+      setWeights(weights, { ...HATCHING_OUTLINE_DEFAULTS.weights, ...values }, owner);
+    },
+    enumerable: true,
+  });
+}
+
 /** @throws TypeError unless `value` is one of the choices */
 export function checkHidden(value: HiddenOutlines, owner: string): HiddenOutlines {
   if (HIDDEN_OUTLINES.includes(value)) return value;
@@ -107,21 +125,14 @@ export function checkHidden(value: HiddenOutlines, owner: string): HiddenOutline
   );
 }
 
-/** @throws RangeError unless `weights` are two numbers, 0 or more */
-export function checkShadeWeights(weights: Vector2Like, owner: string): [number, number] {
-  const [lit, shaded] = Symbol.iterator in Object(weights) ? [...(weights as Iterable<number>)] : [];
-  if (lit >= 0 && shaded >= 0 && lit + shaded < Infinity) return [lit, shaded];
-  throw new RangeError(
-    `${owner}.shadeWeights: pass two numbers, 0 or more: the weights on the lit side and in the shade.`,
-  );
-}
-
 /** Writes the properties of a material to uniforms. @param pixelRatio pixels of the render target per CSS pixel */
 export function writeOutlineLook(look: OutlineLook, u: Record<string, IUniform>, pixelRatio: number): void {
   for (const name of OUTLINE_NUMBER_NAMES) u[name].value = look[name];
   for (const name of OUTLINE_SIZES) u[name].value *= pixelRatio;
+  const { weights } = look;
+  for (const name of WEIGHTED_LINES) u[name].value = weights[name];
+  (u.shadeWeights.value as Vector2).set(weights.lit, weights.shade);
   u.ink.value = look.ink;
-  u.shadeWeights.value = look.shadeWeights;
   u.opacity.value = look.opacity;
   u.isDashed.value = look.hidden === 'dashed';
 }

@@ -18,6 +18,7 @@ export const when = (condition: unknown, code: string): string => (condition ? c
 /** A value as source code. */
 function source(value: unknown): string {
   const plain = (value as Vector2 | null)?.isVector2 ? (value as Vector2).toArray() : value;
+  if (plain && Object.getPrototypeOf(plain) === Object.prototype) return `{ ${entries(plain as Values).join(', ')} }`;
   const json =
     JSON.stringify(plain, (_, part) => (typeof part === 'number' ? Number(part.toPrecision(7)) : part)) ?? '';
   return json.replaceAll('"', "'").replaceAll(',', ', ');
@@ -61,23 +62,30 @@ function nearestPreset(settings: Settings, isPlaced: boolean) {
   // `scalePreset` scales sizes that are named.
   const unnamed = names.filter((name) => !isPlaced || pixelPower(look, name) === 0);
   const defaults = unnamed.map((name) => [name, defaultOf(name, look.technique as HatchingTechnique)]);
+  const { weights, ...others } = outlines;
   const { paperGrain, paperGrainSize } = outlines;
   const ways = PRESET_NAMES.map((preset) => {
     const base = presets[preset];
     // Another technique would warn of what it does not use.
     const isBase = base.material.technique === look.technique;
     const lines = { ...HATCHING_OUTLINE_DEFAULTS, ...base.outlines, ...(paperGrain === 0 && { paperGrainSize }) };
+    const ofLines = { ...HATCHING_OUTLINE_DEFAULTS.weights, ...base.outlines.weights };
     return {
       preset,
       isBase,
       material: differing(own, { ...Object.fromEntries(defaults), ...(isBase && base.material) }),
-      outlines: showsOutlines ? differing(outlines, lines) : {},
+      outlines: showsOutlines ? differing(others, lines) : {},
+      weights: showsOutlines ? differing(weights, ofLines) : {},
       map: needsMap ? differing(mapOf(settings), { ...mapOf(defaultSettings()), style: '', ...base.tonalArtMap }) : {},
     };
   });
-  const size = ({ material, outlines, map }: (typeof ways)[number]) =>
-    [material, outlines, map].flatMap((part) => Object.keys(part)).length;
-  return ways.reduce((best, way) => (size(way) < size(best) ? way : best));
+  const size = ({ material, outlines, weights, map }: (typeof ways)[number]) =>
+    [material, outlines, weights, map].flatMap((part) => Object.keys(part)).length;
+  const nearest = ways.reduce((best, way) => (size(way) < size(best) ? way : best));
+  // Weights of an object literal replace those of the preset.
+  const named = differing(weights, HATCHING_OUTLINE_DEFAULTS.weights);
+  const differs = Object.keys(nearest.weights).length > 0;
+  return { ...nearest, outlines: { ...nearest.outlines, ...(differs && { weights: named }) } };
 }
 
 /** Code of a map. @param numbers of it that are not at their defaults */

@@ -51,12 +51,13 @@ export function outlineLookOf(
   hasMaterials: boolean,
   fading: ObjectFading | null,
 ): OutlineLook {
-  const { outlineWidth, contours, innerContours, borders, creases, materialBorders, suggestiveContours } = material;
-  const { taper, lostEdges, accents, overshoot, wobble, hidden } = material;
+  const { contours, innerContours, borders, creases, materialBorders, suggestiveContours, lit, shade } =
+    material.weights;
+  const { outlineWidth, taper, lostEdges, accents, overshoot, wobble, hidden } = material;
   return {
     width: outlineWidth * opacityOf(material) * opacityOf(surface, geometry),
     materialBorders: hasMaterials ? materialBorders : 0,
-    shadeWeights: material.shadeWeights.toArray() as [number, number],
+    shadeWeights: [lit, shade],
     ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
     ...{ accents, overshoot, wobble, fading, hidden },
     isCutOut: alphaTestOf(surface) > 0 && surface.depthWrite && leftBehind(surface, geometry) === 0,

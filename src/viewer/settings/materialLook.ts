@@ -189,16 +189,19 @@ export function outlineLook(settings: Settings) {
   const creases = settings.outlineCreases / 100;
   return {
     outlineWidth: settings.outlineWidth,
-    contours: settings.outlineContours / 100,
-    innerContours: settings.outlineInner / 100,
-    borders: settings.outlineBorders / 100,
-    creases,
-    materialBorders: creases,
-    suggestiveContours: settings.outlineSuggestive / 100,
+    weights: {
+      contours: settings.outlineContours / 100,
+      innerContours: settings.outlineInner / 100,
+      borders: settings.outlineBorders / 100,
+      creases,
+      materialBorders: creases,
+      suggestiveContours: settings.outlineSuggestive / 100,
+      lit: 1 - SHADE.lost * shade,
+      shade: 1 + SHADE.gained * shade,
+    },
     lostEdges: settings.outlineLost / 100,
     accents: settings.outlineAccents / 100,
     hidden: settings.outlineHidden,
-    shadeWeights: [1 - SHADE.lost * shade, 1 + SHADE.gained * shade] as const,
     wobble: settings.outlineHand,
     overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
     // Outlines use the medium of the strokes.
@@ -213,19 +216,20 @@ export function outlineLook(settings: Settings) {
 /** The settings that correspond to outline parameters. Ink is the material's, and creases weigh as much as borders of materials. */
 export function settingsOfOutlines(parameters: HatchingOutlineParameters): Partial<Settings> {
   const all = { ...HATCHING_OUTLINE_DEFAULTS, ...parameters };
+  const weights = { ...HATCHING_OUTLINE_DEFAULTS.weights, ...parameters.weights };
   const percent = (weight: number): number => Math.round(100 * weight);
   return {
     outlines: 'on',
     outlineWidth: all.outlineWidth,
-    outlineContours: percent(all.contours),
-    outlineInner: percent(all.innerContours),
-    outlineBorders: percent(all.borders),
-    outlineCreases: percent(all.creases),
-    outlineSuggestive: percent(all.suggestiveContours),
+    outlineContours: percent(weights.contours),
+    outlineInner: percent(weights.innerContours),
+    outlineBorders: percent(weights.borders),
+    outlineCreases: percent(weights.creases),
+    outlineSuggestive: percent(weights.suggestiveContours),
     outlineLost: percent(all.lostEdges),
     outlineAccents: percent(all.accents),
     outlineHidden: all.hidden,
-    outlineShade: outlineShadeOf(all.shadeWeights as readonly number[]),
+    outlineShade: outlineShadeOf(weights.lit),
     outlineHand: all.wobble,
   };
 }

@@ -7,7 +7,6 @@ import {
   type MaterialParameters,
   type Mesh,
   type PerspectiveCamera,
-  Vector2,
   type Vector4,
   type WebGLRenderer,
 } from 'three';
@@ -19,6 +18,7 @@ import type {
   HatchingOutlineMaterial,
   HatchingOutlineParameters,
 } from '../../material/outlines/HatchingOutlineMaterial.js';
+import { setWeights } from '../../material/outlines/OutlineWeights.js';
 import {
   HATCHING_OUTLINE_DEFAULTS,
   OUTLINE_NUMBER_NAMES,
@@ -26,9 +26,9 @@ import {
 } from '../../material/outlines/outlineProperties.js';
 import {
   checkHidden,
-  checkShadeWeights,
   createOutlineUniforms,
   defineOutlineNumbers,
+  defineOutlineWeights,
   writeOutlineLook,
 } from '../../material/outlines/outlineUniforms.js';
 import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
@@ -39,7 +39,7 @@ import { clipSpine, type OutlineNodes, outlineNodes } from '../nodes/outlines/ou
 const NAME = 'HatchingOutlineNodeMaterial';
 
 export interface HatchingOutlineNodeMaterial
-  extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'shadeWeights' | 'hidden'> {}
+  extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'weights' | 'hidden'> {}
 
 /**
  * The material of `HatchingOutlines` for WebGPURenderer: the same properties as those of `HatchingOutlineMaterial`, with the same defaults.
@@ -61,15 +61,15 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   /** Whether it draws hidden outlines. */
   private isHidden = false;
 
-  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour */
+  /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour, or `weights` has an unknown name */
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
     super();
     this.uniforms = { ...createOutlineUniforms(), isInstanced: { value: false }, isDeformed: { value: false } };
     this.ink = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
-    this.shadeWeights = new Vector2(...HATCHING_OUTLINE_DEFAULTS.shadeWeights);
     defineOutlineNumbers(this, NAME, (name) => {
       if (name === 'wobble' || name === 'paperGrain') this.chooseNodes();
     });
+    defineOutlineWeights(this, NAME);
     Object.defineProperty(this, 'hidden', {
       get: () => this.hiddenLines,
       set: (value: HiddenOutlines) => {
@@ -91,14 +91,14 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   /**
    * Sets properties by name, as `setValues` of three.js does.
    *
-   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour
+   * @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour, or `weights` has an unknown name
    */
   override setValues(values?: HatchingOutlineParameters): void {
     if (!values) return;
     if (values.ink !== undefined) checkColor(`${NAME}.ink`, values.ink);
-    const { shadeWeights, ...others } = values;
+    const { weights, ...others } = values;
+    if (weights !== undefined) setWeights(this.weights, weights, NAME);
     super.setValues(others as MaterialParameters);
-    if (shadeWeights !== undefined) this.shadeWeights.set(...checkShadeWeights(shadeWeights, NAME));
   }
 
   override copy(source: this): this {
@@ -108,7 +108,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     this.lights = source.lights;
     for (const name of OUTLINE_NUMBER_NAMES) this[name] = source[name];
     this.ink.copy(source.ink);
-    this.shadeWeights.copy(source.shadeWeights);
+    Object.assign(this.weights, source.weights);
     this.hidden = source.hidden;
     return this;
   }

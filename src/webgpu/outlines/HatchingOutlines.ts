@@ -115,7 +115,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
   /** Binds a part of the outlines for the next draw. */
   private bindPart(renderer: WebGPURenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
     const { data, surface } = part;
-    const { suggestiveContours, uniforms } = this.material;
+    const { uniforms, weights } = this.material;
     this.beginSurface(surface);
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
@@ -126,7 +126,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     writeViewport(renderer, drawnInto);
     this.material.writeDraw(renderer, camera, mesh, drawnInto, fadingLookOf(mesh));
     // Suggestive contours may lie anywhere on surfaces that face the eye.
-    const isAnywhere = this.isDeformed || suggestiveContours > 0;
+    const isAnywhere = this.isDeformed || weights.suggestiveContours > 0;
     const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);
     uniforms.isListed.value = list !== null;
     uniforms.candidates.value = list?.texture ?? null;

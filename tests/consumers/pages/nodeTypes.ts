@@ -66,7 +66,7 @@ export async function everyKind(): Promise<Scene> {
   const outlines = new HatchingOutlines();
   const clone: HatchingOutlines = outlines.clone();
   clone.mesh = mesh;
-  clone.material.shadeWeights.set(0.5, 2);
+  clone.material.weights.shade = 2;
   const shared: HatchingOutlineNodeMaterial = clone.material;
   scene.add(clone, new HatchingOutlines(mesh, shared));
   // @ts-expect-error: there is no such property.

@@ -59,12 +59,12 @@ export const outlines: readonly Mutation[] = [
   {
     name: 'weights of shade are exchanged',
     file: 'src/material/outlines/outlineUniforms.ts',
-    find: 'return [lit, shaded];',
-    replace: 'return [shaded, lit];',
+    find: '.set(weights.lit, weights.shade)',
+    replace: '.set(weights.shade, weights.lit)',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/outlines/HatchingOutlineMaterial.test.ts',
-      title: 'setValues takes shadeWeights as an array or a vector, which it copies',
+      title: 'those in the light and in the shade reach one uniform',
     },
   },
   {

@@ -64,18 +64,27 @@ const materialOf = ({ material }: Mesh): HatchingMaterial => {
 test('values change in place: the geometry, the material and the outlines stay', async () => {
   const { mesh, hatcher, hatched, next } = atWork({ preset: 'technical' });
   await next();
-  const [geometry, material, outlines] = [mesh.geometry, materialOf(mesh), mesh.children[0]];
+  const [geometry, material, lines] = [mesh.geometry, materialOf(mesh), mesh.children[0]];
   hatcher.update({ preset: 'engraving', material: { ink: '#123456', lineField: 'light' }, outlines: { taper: 0 } });
   await next();
-  expect([mesh.geometry, mesh.material, mesh.children[0]]).toEqual([geometry, material, outlines]);
+  expect([mesh.geometry, mesh.material, mesh.children[0]]).toEqual([geometry, material, lines]);
   expect(material.ink.getHexString()).toBe('123456');
   expect([material.lineField, material.irregularity]).toEqual(['light', presets.engraving.material.irregularity]);
   const [{ material: look }] = hatched[0].outlines;
   // Those of `technical`, which draws outlines of even weight; `engraving` leaves them at their defaults.
-  expect([look.taper, look.creases, ...look.shadeWeights.toArray()]).toEqual([0, 0.35, 0.7, 1.7]);
+  expect([look.taper, look.weights.creases, look.weights.lit, look.weights.shade]).toEqual([0, 0.35, 0.7, 1.7]);
   hatcher.update({ preset: 'engraving', material: { lineField: 'light' } });
   await next();
   expect(look.taper).toBe(0.8);
+  const outlines = (weights: object) => ({ preset: 'engraving', outlines: { weights } }) as const;
+  hatcher.update({ ...outlines({ creases: 0 }), material: { lineField: 'light' } });
+  await next();
+  hatcher.update({ ...outlines({ shade: 3 }), material: { lineField: 'light' } });
+  await next();
+  expect([look.weights.creases, look.weights.shade]).toEqual([0.35, 3]);
+  hatcher.update({ preset: 'engraving', material: { lineField: 'light' } });
+  await next();
+  expect(look.weights.shade).toBe(1.7);
   expect(materialOf(mesh).ink.getHexString()).toBe('1c1a17');
 });
 

@@ -1,8 +1,9 @@
 import { Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import { expect, test } from 'vitest';
 import type { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import type { ApplyHatchingOptions } from '../../../src/scene/ApplyHatchingOptions.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
-import { presets, withPreset } from '../../../src/scene/presets.js';
+import { type HatchingPreset, presets, withPreset } from '../../../src/scene/presets.js';
 
 test('options override a preset, parameter by parameter', () => {
   expect(withPreset('pencil')).toEqual(presets.pencil);
@@ -15,6 +16,19 @@ test('options override a preset, parameter by parameter', () => {
   expect(material).toEqual({ ...presets.pencil.material, ink: 'navy' });
   expect(outlines).toEqual({ ...presets.pencil.outlines, wobble: 0 });
   expect([tonalArtMap, layout]).toEqual([{ style: 'ruled', size: 64 }, 'pull']);
+});
+
+test('weights of outlines override those of a preset one by one', () => {
+  const { weights } = presets.technical.outlines;
+  const weightsWith = (outlines: ApplyHatchingOptions['outlines']) =>
+    (withPreset('technical', { outlines }).outlines as HatchingPreset['outlines']).weights;
+  expect(weightsWith({ weights: { creases: 0 } })).toEqual({ ...weights, creases: 0 });
+  expect(weightsWith({ wobble: 1 })).toEqual(weights);
+  expect(weightsWith({ weights: null! })).toBe(null);
+  expect(withPreset('pen', { outlines: { weights: { lit: 1 } } }).outlines).toEqual({
+    ...presets.pen.outlines,
+    weights: { lit: 1 },
+  });
 });
 
 test('outlines can be left out or kept, a map removed, and a function adds to the material', () => {

@@ -1,9 +1,15 @@
 import { Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import { describe, expect, test, vi } from 'vitest';
 import { HatchingOutlineMaterial } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
-import { OUTLINE_NUMBER_NAMES, OUTLINE_NUMBERS } from '../../../src/material/outlines/outlineProperties.js';
+import {
+  OUTLINE_NUMBER_NAMES,
+  OUTLINE_NUMBERS,
+  WEIGHTED_LINES,
+} from '../../../src/material/outlines/outlineProperties.js';
 import { HatchingOutlineNodeMaterial } from '../../../src/webgpu/outlines/HatchingOutlineNodeMaterial.js';
 import { HatchingOutlines } from '../../../src/webgpu/outlines/HatchingOutlines.js';
+
+const NAME = 'HatchingOutlineNodeMaterial';
 
 describe('HatchingOutlineNodeMaterial', () => {
   test('has the properties of the material in GLSL, with the same defaults, and blends alike', () => {
@@ -14,16 +20,22 @@ describe('HatchingOutlineNodeMaterial', () => {
       expect(nodes[name], name).toBe(glsl[name]);
     }
     expect(nodes.ink.getHex()).toBe(glsl.ink.getHex());
-    expect(nodes.shadeWeights.toArray()).toEqual(glsl.shadeWeights.toArray());
+    expect({ ...nodes.weights }).toEqual({ ...glsl.weights });
   });
 
   test('writes the same uniforms', () => {
-    const look = { outlineWidth: 3, wobble: 2, ink: 0x123456, shadeWeights: [0.1, 3], hidden: 'dashed' } as const;
-    const glsl = new HatchingOutlineMaterial({ ...look, shadeWeights: [0.1, 3] });
-    const nodes = new HatchingOutlineNodeMaterial({ ...look, shadeWeights: [0.1, 3] });
+    const look = {
+      outlineWidth: 3,
+      wobble: 2,
+      ink: 0x123456,
+      weights: { creases: 0.9, lit: 0.1, shade: 3 },
+      hidden: 'dashed',
+    } as const;
+    const glsl = new HatchingOutlineMaterial(look);
+    const nodes = new HatchingOutlineNodeMaterial(look);
     glsl.writeUniforms(false, true, 2);
     nodes.writeLook(2);
-    for (const name of [...OUTLINE_NUMBER_NAMES, 'ink', 'shadeWeights', 'opacity', 'isDashed']) {
+    for (const name of [...OUTLINE_NUMBER_NAMES, ...WEIGHTED_LINES, 'ink', 'shadeWeights', 'opacity', 'isDashed']) {
       expect(nodes.uniforms[name].value, name).toEqual(glsl.uniforms[name].value);
     }
     expect(nodes.uniforms.outlineWidth.value).toBe(6);
@@ -37,13 +49,18 @@ describe('HatchingOutlineNodeMaterial', () => {
   test('other values that make no sense are errors', () => {
     const material = new HatchingOutlineNodeMaterial();
     expect(() => material.setValues({ hidden: 'dotted' as 'dashed' })).toThrow(/hidden is dotted/);
-    expect(() => material.setValues({ shadeWeights: [-1, 1] })).toThrow(/shadeWeights/);
+    expect(() => material.setValues({ weights: { lit: -1 } })).toThrow(
+      `${NAME}.weights.lit: -1 is not a number in [0, ∞)`,
+    );
+    expect(() => {
+      material.weights.creases = Number.NaN;
+    }).toThrow(`${NAME}.weights.creases: NaN is not a number`);
     expect(() => material.setValues({ ink: {} as string })).toThrow(/ink/);
   });
 
   test('materials of different looks share nodes, so that they share a program', () => {
     const one = new HatchingOutlineNodeMaterial({ outlineWidth: 1 });
-    const other = new HatchingOutlineNodeMaterial({ outlineWidth: 5, ink: 'red', creases: 0 });
+    const other = new HatchingOutlineNodeMaterial({ outlineWidth: 5, ink: 'red', weights: { creases: 0 } });
     expect(other.vertexNode).toBe(one.vertexNode);
     expect(other.colorNode).toBe(one.colorNode);
     expect(other.customProgramCacheKey()).toBe(one.customProgramCacheKey());
@@ -71,6 +88,7 @@ describe('HatchingOutlineNodeMaterial', () => {
       outlineWidth: 4,
       wobble: 1,
       ink: 0xff0000,
+      weights: { shade: 3 },
       hidden: 'faint',
       fog: false,
     });
@@ -78,6 +96,9 @@ describe('HatchingOutlineNodeMaterial', () => {
     expect(clone).toMatchObject({ outlineWidth: 4, wobble: 1, hidden: 'faint', fog: false });
     expect(clone.ink.getHex()).toBe(0xff0000);
     expect(clone.ink).not.toBe(material.ink);
+    expect(clone.weights).not.toBe(material.weights);
+    expect({ ...clone.weights }).toEqual({ ...material.weights });
+    expect(clone.weights.shade).toBe(3);
     expect(clone.uniforms).not.toBe(material.uniforms);
     expect(clone.vertexNode).toBe(material.vertexNode);
   });

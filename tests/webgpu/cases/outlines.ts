@@ -78,7 +78,15 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'suggestive contours by an unsteady hand, blue, half opaque',
     show: show({
-      ...{ outlineWidth: 3, suggestiveContours: 0.8, wobble: 3, accents: 2, taper: 0.2, ink: 0x2244aa, opacity: 0.5 },
+      ...{
+        outlineWidth: 3,
+        weights: { suggestiveContours: 0.8 },
+        wobble: 3,
+        accents: 2,
+        taper: 0.2,
+        ink: 0x2244aa,
+        opacity: 0.5,
+      },
       transparent: true,
     }),
   },
@@ -88,7 +96,7 @@ export const cases: readonly SceneCase[] = [
   },
   {
     name: 'hidden outlines, dashed',
-    show: show({ outlineWidth: 3, creases: 1, hidden: 'dashed' }, openBox, ({ mesh }) => {
+    show: show({ outlineWidth: 3, weights: { creases: 1 }, hidden: 'dashed' }, openBox, ({ mesh }) => {
       mesh.rotation.set(0.5, 0.6, 0.2);
       return {};
     }),
@@ -96,7 +104,7 @@ export const cases: readonly SceneCase[] = [
   { name: 'hidden outlines, faint', show: show({ outlineWidth: 3, hidden: 'faint' }) },
   {
     name: 'lights of every kind',
-    show: show({ outlineWidth: 4, shadeWeights: [0.2, 3], lostEdges: 0.8 }, ofKnot, ({ scene, sun }) => {
+    show: show({ outlineWidth: 4, weights: { lit: 0.2, shade: 3 }, lostEdges: 0.8 }, ofKnot, ({ scene, sun }) => {
       sun.intensity = 0.5;
       const point = new PointLight(0xffddaa, 5, 3, 1.5);
       point.position.set(-1, 1, 1);
@@ -119,7 +127,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'what lies before the near plane',
     show: show(
-      { outlineWidth: 4, creases: 1 },
+      { outlineWidth: 4, weights: { creases: 1 } },
       () => new BoxGeometry(6, 1, 1),
       ({ camera, mesh }) => {
         camera.position.set(0, 0.9, 1.2);
@@ -132,7 +140,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'sides of a box that fade, are hidden or pass every test',
     show: show(
-      { outlineWidth: 4, creases: 1 },
+      { outlineWidth: 4, weights: { creases: 1 } },
       () => new BoxGeometry(1.2, 0.9, 0.8),
       ({ mesh }) => {
         mesh.rotation.set(0.5, 0.6, 0.2);
@@ -148,7 +156,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'a box that a picture cuts away in part, with what is hidden of it',
     show: show(
-      { outlineWidth: 4, creases: 1, hidden: 'faint' },
+      { outlineWidth: 4, weights: { creases: 1 }, hidden: 'faint' },
       () => new BoxGeometry(1.2, 0.9, 0.8),
       ({ mesh }) => {
         mesh.rotation.set(0.5, 0.6, 0.2);

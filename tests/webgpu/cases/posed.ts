@@ -22,7 +22,7 @@ import { bentTube, egg } from '../deforming.js';
 import { knot } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
-const LOOK = { outlineWidth: 3, creases: 0.8 } as const;
+const LOOK = { outlineWidth: 3, weights: { creases: 0.8 } } as const;
 
 const paper = (): MeshBasicMaterial => new MeshBasicMaterial({ color: 0xfff4dd });
 
@@ -149,6 +149,13 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'suggestive contours of a skin by an unsteady hand',
     show: async (kit) =>
-      staged(...(await outline(kit, { ...LOOK, suggestiveContours: 0.8, wobble: 2 }, {}, bulgingTube()))),
+      staged(
+        ...(await outline(
+          kit,
+          { ...LOOK, weights: { ...LOOK.weights, suggestiveContours: 0.8 }, wobble: 2 },
+          {},
+          bulgingTube(),
+        )),
+      ),
   },
 ];

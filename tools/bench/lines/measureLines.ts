@@ -44,7 +44,7 @@ export async function measureLines(model: string, turns: number, size: number, i
   const lined = withOutlines(new Mesh(geometry, material));
   const tested = withOutlines(new Mesh(geometry, material));
   // At this weight nothing is drawn, but every triangle is tested.
-  outlinesOf(tested).material.suggestiveContours = 1e-9;
+  outlinesOf(tested).material.weights.suggestiveContours = 1e-9;
   const meshes: Record<string, Mesh> = { hatched, 'with lines': lined, 'with lines, no list': tested };
   if (isMoving) {
     meshes.instance = instanceOf(geometry, material);

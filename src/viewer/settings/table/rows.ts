@@ -232,13 +232,16 @@ export function colorOf(property: OfKind<'color'>, added: Added<ColorRow>): Colo
   return { kind: 'color', property, default: defaultFor(property, hex), ...added };
 }
 
-/** The row of a number of `HatchingOutlineMaterial`: a weight in percent, or a size in pixels. */
+/** The default of a number or a weight of `HatchingOutlineMaterial`. */
+const OUTLINE_NUMBERS = { ...HATCHING_OUTLINE_DEFAULTS, ...HATCHING_OUTLINE_DEFAULTS.weights };
+
+/** The row of a number of `HatchingOutlineMaterial`: a weight or a share in percent, or a size in pixels. */
 export function outlineOf(
-  property: keyof typeof HATCHING_OUTLINE_DEFAULTS,
+  property: Exclude<keyof typeof OUTLINE_NUMBERS, 'weights' | 'ink' | 'hidden'>,
   unit: '%' | 'px',
   added: Partial<Omit<NumberRow, 'default'>> & { label: string },
 ): NumberRow {
-  const fallback = Number(HATCHING_OUTLINE_DEFAULTS[property]);
+  const fallback = OUTLINE_NUMBERS[property];
   const range = unit === '%' ? { min: 0, max: 200, step: 5 } : { min: 0, max: 8, step: 0.1 };
   const value = unit === '%' ? UNITS.share.toSetting(fallback) : fallback;
   return { kind: 'number', when: { outlines: ['on'] }, unit, default: value, ...range, ...added };

@@ -229,8 +229,8 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
 /** The share of its weight that an outline loses in full light and gains in full shade, at a shade weight of 100 %. */
 export const SHADE = { lost: 0.75, gained: 1.75 } as const;
 
-/** The setting for two weights in light and in shade. */
-export const outlineShadeOf = ([inLight]: readonly number[]): number => Math.round((100 * (1 - inLight)) / SHADE.lost);
+/** The setting for a weight on the lit side. */
+export const outlineShadeOf = (lit: number): number => Math.round((100 * (1 - lit)) / SHADE.lost);
 
 const DRAWN = { outlines: ['on'] } as const;
 
@@ -243,7 +243,7 @@ export const OUTLINE_SETTINGS = inGroup('Outlines', 'hand', {
   outlineBorders: outlineOf('borders', '%', { label: 'Borders' }),
   outlineCreases: outlineOf('creases', '%', { label: 'Creases' }),
   outlineSuggestive: outlineOf('suggestiveContours', '%', { label: 'Suggestive', ends: ['none', 'in folds'] }),
-  outlineShade: percent('Shade', outlineShadeOf(HATCHING_OUTLINE_DEFAULTS.shadeWeights), {
+  outlineShade: percent('Shade', outlineShadeOf(HATCHING_OUTLINE_DEFAULTS.weights.lit), {
     when: DRAWN,
     ends: ['even', 'thin in light'],
   }),

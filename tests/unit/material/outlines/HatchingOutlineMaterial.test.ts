@@ -1,4 +1,4 @@
-import { Color, DoubleSide, FrontSide, Plane, Texture, Vector2, Vector3 } from 'three';
+import { Color, DoubleSide, FrontSide, Plane, ShaderMaterial, Texture, Vector3 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import {
   HatchingOutlineMaterial,
@@ -8,6 +8,8 @@ import {
   HATCHING_OUTLINE_DEFAULTS,
   OUTLINE_NUMBER_NAMES,
   OUTLINE_NUMBERS,
+  OUTLINE_WEIGHT_NAMES,
+  WEIGHTED_LINES,
 } from '../../../../src/material/outlines/outlineProperties.js';
 
 afterEach(() => vi.restoreAllMocks());
@@ -15,12 +17,16 @@ afterEach(() => vi.restoreAllMocks());
 /** A value other than the default for every parameter. */
 const changed = {
   outlineWidth: 3,
-  contours: 0.5,
-  borders: 0.25,
-  creases: 2,
-  materialBorders: 0.1,
-  suggestiveContours: 0.7,
-  innerContours: 0.8,
+  weights: {
+    contours: 0.5,
+    innerContours: 0.8,
+    borders: 0.25,
+    creases: 2,
+    materialBorders: 0.1,
+    suggestiveContours: 0.7,
+    lit: 0.1,
+    shade: 3,
+  },
   lostEdges: 0.9,
   accents: 1.5,
   taper: 0,
@@ -29,7 +35,6 @@ const changed = {
   paperGrain: 0.5,
   paperGrainSize: 3,
   ink: '#123456',
-  shadeWeights: [0.1, 3],
   hidden: 'dashed',
   opacity: 0.5,
   fog: false,
@@ -43,7 +48,7 @@ const changed = {
 describe('HatchingOutlineMaterial', () => {
   test('can be made without parameters, with the documented defaults', () => {
     const material = new HatchingOutlineMaterial();
-    const { ink, shadeWeights, ...numbers } = HATCHING_OUTLINE_DEFAULTS;
+    const { ink, ...numbers } = HATCHING_OUTLINE_DEFAULTS;
     expect(material).toMatchObject(numbers);
     expect(material).toMatchObject({
       isHatchingOutlineMaterial: true,
@@ -56,15 +61,18 @@ describe('HatchingOutlineMaterial', () => {
       side: DoubleSide,
     });
     expect(material.ink.getHex()).toBe(ink);
-    expect(material.shadeWeights.toArray()).toEqual(shadeWeights);
     expect(numbers).toEqual({
       outlineWidth: 1.8,
-      contours: 1,
-      innerContours: 0.5,
-      borders: 1,
-      creases: 0.35,
-      materialBorders: 0.35,
-      suggestiveContours: 0,
+      weights: {
+        contours: 1,
+        innerContours: 0.5,
+        borders: 1,
+        creases: 0.35,
+        materialBorders: 0.35,
+        suggestiveContours: 0,
+        lit: 0.7,
+        shade: 1.7,
+      },
       lostEdges: 0.2,
       accents: 0.5,
       taper: 0.8,
@@ -79,15 +87,16 @@ describe('HatchingOutlineMaterial', () => {
   test('the parameters of the tests below differ from every default', () => {
     expect(Object.keys(changed)).toEqual(expect.arrayContaining(Object.keys(HATCHING_OUTLINE_DEFAULTS)));
     for (const name of OUTLINE_NUMBER_NAMES) expect(changed[name]).not.toBe(HATCHING_OUTLINE_DEFAULTS[name]);
+    for (const name of OUTLINE_WEIGHT_NAMES)
+      expect(changed.weights[name]).not.toBe(HATCHING_OUTLINE_DEFAULTS.weights[name]);
   });
 
   test('takes parameters the way three does', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const material = new HatchingOutlineMaterial(changed);
-    const { ink, shadeWeights, ...others } = changed;
+    const { ink, ...others } = changed;
     expect(material).toMatchObject(others);
     expect(material.ink.equals(new Color(ink))).toBe(true);
-    expect(material.shadeWeights.toArray()).toEqual(shadeWeights);
     expect(warn).not.toHaveBeenCalled();
   });
 
@@ -105,29 +114,24 @@ describe('HatchingOutlineMaterial', () => {
     expect(material.outlineWidth).toBe(HATCHING_OUTLINE_DEFAULTS.outlineWidth);
   });
 
-  test('setValues takes shadeWeights as an array or a vector, which it copies', () => {
-    const material = new HatchingOutlineMaterial();
-    const own = material.shadeWeights;
-    material.setValues({ shadeWeights: [0.2, 0.9] });
-    expect(own.toArray()).toEqual([0.2, 0.9]);
-    const vector = new Vector2(0.3, 1.1);
-    material.setValues({ shadeWeights: vector, outlineWidth: 5 });
-    expect(material.shadeWeights).toBe(own);
-    expect(own.toArray()).toEqual([0.3, 1.1]);
-    vector.set(9, 9);
-    expect(own.toArray()).toEqual([0.3, 1.1]);
-    expect(material.outlineWidth).toBe(5);
-    material.setValues({ shadeWeights: undefined });
-    material.setValues(undefined);
-    expect(own.toArray()).toEqual([0.3, 1.1]);
+  test('has at most 12 properties of its own', () => {
+    expect(Object.keys(HATCHING_OUTLINE_DEFAULTS).length).toBeLessThanOrEqual(12);
+    const { prototype } = HatchingOutlineMaterial;
+    const own = [...Object.keys(new HatchingOutlineMaterial()), ...Object.getOwnPropertyNames(prototype)];
+    const inherited = new ShaderMaterial();
+    const added = own.filter((name) => !(name in inherited) && typeof Reflect.get(prototype, name) !== 'function');
+    const internal = ['isHatchingOutlineMaterial', 'ofMesh', 'hiddenLines', 'written', 'writtenLook'];
+    expect(added.filter((name) => !internal.includes(name)).sort()).toEqual(
+      Object.keys(HATCHING_OUTLINE_DEFAULTS).sort(),
+    );
   });
 
   test('each has an ink and weights of its own', () => {
     const [a, b] = [new HatchingOutlineMaterial(), new HatchingOutlineMaterial()];
     a.ink.set('red');
-    a.shadeWeights.set(7, 7);
+    a.weights.shade = 7;
     expect(b.ink.getHex()).toBe(HATCHING_OUTLINE_DEFAULTS.ink);
-    expect(b.shadeWeights.toArray()).toEqual(HATCHING_OUTLINE_DEFAULTS.shadeWeights);
+    expect({ ...b.weights }).toEqual(HATCHING_OUTLINE_DEFAULTS.weights);
     expect(a.uniforms).not.toBe(b.uniforms);
   });
 });
@@ -166,7 +170,7 @@ describe('copy and clone', () => {
   const valuesOf = (material: HatchingOutlineMaterial) => ({
     ...Object.fromEntries(Object.keys(changed).map((name) => [name, Reflect.get(material, name)])),
     ink: material.ink.getHex(),
-    shadeWeights: material.shadeWeights.toArray(),
+    weights: { ...material.weights },
     userData: material.userData,
     planes: material.clippingPlanes?.map(({ constant }) => constant),
   });
@@ -196,10 +200,10 @@ describe('copy and clone', () => {
     source.uniforms.outlinePoints.value = texture;
     const clone = source.clone();
     clone.ink.set('red');
-    clone.shadeWeights.set(7, 7);
+    clone.weights.shade = 7;
     clone.outlineWidth = 9;
     expect(source.ink.equals(new Color(changed.ink))).toBe(true);
-    expect(source.shadeWeights.toArray()).toEqual(changed.shadeWeights);
+    expect({ ...source.weights }).toEqual(changed.weights);
     expect(source.outlineWidth).toBe(changed.outlineWidth);
     expect(clone.uniforms.eye.value).not.toBe(source.uniforms.eye.value);
     expect(cloneTexture).not.toHaveBeenCalled();
@@ -215,7 +219,7 @@ test('the program changes only if wobble or deformation start or end', () => {
     material.writeUniforms(isDeformed, true);
     return [material.version - version, 'WOBBLE' in material.defines, 'DEFORMED' in material.defines];
   };
-  expect(step(false, { outlineWidth: 3, ink: 'red', creases: 0 })).toEqual([0, false, false]);
+  expect(step(false, { outlineWidth: 3, ink: 'red', weights: { creases: 0 } })).toEqual([0, false, false]);
   expect(step(false, { wobble: 1 })).toEqual([1, true, false]);
   expect(step(false, { wobble: 2 })).toEqual([1, true, false]);
   expect(step(true, {})).toEqual([2, true, true]);
@@ -231,26 +235,84 @@ test('its shaders have all includes resolved, and define each name shared with t
 });
 
 test.each([2, 0.5])('sizes are in CSS pixels, %d pixels of the renderer each, and nothing else is', (pixelRatio) => {
-  const look = { outlineWidth: 2, wobble: 1, overshoot: 3, paperGrainSize: 4, taper: 5, contours: 6 };
-  const material = new HatchingOutlineMaterial(look);
+  const look = { outlineWidth: 2, wobble: 1, overshoot: 3, paperGrainSize: 4, taper: 5 };
+  const material = new HatchingOutlineMaterial({ ...look, weights: { contours: 6 } });
   material.writeUniforms(false, false, pixelRatio);
   for (const [name, value] of Object.entries(look)) {
-    const factor = name === 'taper' || name === 'contours' ? 1 : pixelRatio;
+    const factor = name === 'taper' ? 1 : pixelRatio;
     expect([name, material.uniforms[name].value]).toEqual([name, factor * value]);
     expect(material[name as keyof typeof look]).toBe(value);
   }
+  expect(material.uniforms.contours.value).toBe(6);
 });
 
 test('groups count only on meshes with several materials', () => {
-  const material = new HatchingOutlineMaterial({ materialBorders: 0.5 });
+  const material = new HatchingOutlineMaterial({ weights: { materialBorders: 0.5 } });
   material.writeUniforms(false, false);
   expect(material.uniforms.materialBorders.value).toBe(0);
   material.writeUniforms(false, true);
   expect(material.uniforms.materialBorders.value).toBe(0.5);
 });
 
-test.each([[[1]], [[1, Number.NaN]], [[-1, 1]], [7]])('shade weights %j are refused', (shadeWeights) => {
-  expect(() => new HatchingOutlineMaterial({ shadeWeights } as unknown as HatchingOutlineParameters)).toThrow(
-    RangeError,
-  );
+describe('weights', () => {
+  const { weights: defaults } = HATCHING_OUTLINE_DEFAULTS;
+
+  test('parameters set some of them over the defaults, and setValues over those that are set', () => {
+    const material = new HatchingOutlineMaterial({ weights: { creases: 0, lit: undefined } });
+    expect({ ...material.weights }).toEqual({ ...defaults, creases: 0 });
+    const { weights } = material;
+    material.setValues({ weights: { shade: 3 }, outlineWidth: 5 });
+    expect(material.weights).toBe(weights);
+    expect({ ...weights }).toEqual({ ...defaults, creases: 0, shade: 3 });
+    material.setValues({ weights: undefined });
+    expect({ ...weights }).toEqual({ ...defaults, creases: 0, shade: 3 });
+  });
+
+  test('an assigned object has the defaults where it names none, as attributes of React need', () => {
+    const material = new HatchingOutlineMaterial({ weights: { creases: 0 } });
+    Object.assign(material, { weights: { shade: 3 } });
+    expect({ ...material.weights }).toEqual({ ...defaults, shade: 3 });
+    Object.assign(material, { weights: new HatchingOutlineMaterial().weights });
+    expect({ ...material.weights }).toEqual(defaults);
+  });
+
+  test.each(OUTLINE_WEIGHT_NAMES)('%s is checked by name, and nothing is set if it is wrong', (name) => {
+    for (const value of [-0.001, Infinity, Number.NaN, '1', null]) {
+      const material = new HatchingOutlineMaterial({ weights: { [name]: 0.75 } });
+      const message = `HatchingOutlineMaterial.weights.${name}: ${value} is not a number in [0, ∞).`;
+      expect(() => Object.assign(material.weights, { [name]: value })).toThrow(new RangeError(message));
+      const values = {
+        outlineWidth: 9,
+        weights: { contours: 3, shade: 3, [name]: value },
+      } as HatchingOutlineParameters;
+      expect(() => material.setValues(values)).toThrow(new RangeError(message));
+      expect({ ...material.weights, width: material.outlineWidth }).toEqual({ ...defaults, [name]: 0.75, width: 1.8 });
+    }
+  });
+
+  test.each(WEIGHTED_LINES)('%s reaches its uniform when drawn', (name) => {
+    const material = new HatchingOutlineMaterial();
+    material.weights[name] = 0.75;
+    material.writeUniforms(false, true);
+    expect(material.uniforms[name].value).toBe(0.75);
+  });
+
+  test('those in the light and in the shade reach one uniform', () => {
+    const material = new HatchingOutlineMaterial({ weights: { lit: 0.2, shade: 0.9 } });
+    material.writeUniforms(false, true);
+    expect(material.uniforms.shadeWeights.value.toArray()).toEqual([0.2, 0.9]);
+  });
+
+  test('other names, and what is no object of weights, are refused', () => {
+    const material = new HatchingOutlineMaterial();
+    expect(() => material.setValues({ weights: { crease: 0 } as object })).toThrow(
+      new TypeError(`HatchingOutlineMaterial.weights.crease is none of ${OUTLINE_WEIGHT_NAMES.join(', ')}.`),
+    );
+    expect(() => Object.assign(material.weights, { crease: 0 })).toThrow(TypeError);
+    for (const weights of [null, 7]) {
+      expect(() => material.setValues({ weights } as unknown as HatchingOutlineParameters)).toThrow(
+        `HatchingOutlineMaterial.weights: expected an object such as { creases: 0.5 }, not ${weights}.`,
+      );
+    }
+  });
 });

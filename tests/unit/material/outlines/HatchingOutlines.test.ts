@@ -104,9 +104,9 @@ describe('the material', () => {
   test('is made from parameters, or the one that is given', () => {
     const material = new HatchingOutlineMaterial();
     expect(new HatchingOutlines(null, material).material).toBe(material);
-    const own = new HatchingOutlines(null, { outlineWidth: 4, shadeWeights: [0, 1] }).material;
+    const own = new HatchingOutlines(null, { outlineWidth: 4, weights: { lit: 0, shade: 1 } }).material;
     expect(own.outlineWidth).toBe(4);
-    expect(own.shadeWeights.toArray()).toEqual([0, 1]);
+    expect(own.weights).toMatchObject({ lit: 0, shade: 1 });
     expect(new HatchingOutlines().material.outlineWidth).toBe(1.8);
     expect(own.isHatchingOutlineMaterial).toBe(true);
   });

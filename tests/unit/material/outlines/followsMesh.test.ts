@@ -81,7 +81,7 @@ function sceneOf(outlines: HatchingOutlines): Scene {
 function outlined(geometry: BufferGeometry, material: Material | Material[], look = {}) {
   const mesh = new Mesh(geometry, material);
   // With suggestive contours all primitives are drawn, so that they can be counted.
-  const outlines = new HatchingOutlines(mesh, { suggestiveContours: 1, ...look });
+  const outlines = new HatchingOutlines(mesh, { weights: { suggestiveContours: 1 }, ...look });
   mesh.add(outlines);
   return { mesh, outlines };
 }
@@ -170,7 +170,7 @@ describe('a mesh with one material', () => {
   });
 
   test('whose outlines share a material with others fades alone', () => {
-    const shared = new HatchingOutlineMaterial({ suggestiveContours: 1 });
+    const shared = new HatchingOutlineMaterial({ weights: { suggestiveContours: 1 } });
     const renderer = new NotingRenderer();
     const make = (material: Material) => {
       const mesh = new Mesh(box, material);
@@ -272,7 +272,7 @@ test('a draw range is followed when it changes, and ends in borders', () => {
 });
 
 test('a part has a list once it is unchanged', () => {
-  const { mesh, outlines } = outlined(box, new MeshBasicMaterial(), { suggestiveContours: 0 });
+  const { mesh, outlines } = outlined(box, new MeshBasicMaterial(), { weights: { suggestiveContours: 0 } });
   const renderer = new NotingRenderer();
   mesh.geometry.setDrawRange(0, 24);
   const [[first], [second]] = [renderer.draw(outlines), renderer.draw(outlines)];

@@ -4,6 +4,7 @@ import { counts } from '../../../../src/look/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
+import { OUTLINE_WEIGHT_NAMES } from '../../../../src/material/outlines/outlineProperties.js';
 import { codeForms } from '../../../../src/playground/code/codeForms.js';
 import { lookSample } from '../../../../src/playground/code/lookSample.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
@@ -78,7 +79,7 @@ function expectLines(outlines: HatchingOutlines | undefined, settings: Settings)
   for (const [key, value] of Object.entries(outlineLook(settings))) {
     if (typeof value === 'number') expect(made[key as 'outlineWidth'], key).toBeCloseTo(value, 3);
   }
-  expect(made.shadeWeights.distanceTo(expected.shadeWeights)).toBeCloseTo(0, 3);
+  for (const name of OUTLINE_WEIGHT_NAMES) expect(made.weights[name], name).toBeCloseTo(expected.weights[name], 3);
   expect(made.ink.equals(expected.ink)).toBe(true);
   expect(made.taper).toBe(expected.taper);
 }
@@ -91,6 +92,8 @@ const looks: Record<string, Partial<Settings>> = {
   'a preset with shadows': { ...presetLook('engraving'), shadows: 'on' },
   'a preset with shadows across its outlines': { ...presetLook('engraving'), shadows: 'on', shadowStrokes: 'cross' },
   'a preset with another ink': { ...presetLook('pen'), ink: '#203080' },
+  'other weights of outlines': { ...presetLook('technical'), outlineCreases: 80, outlineShade: 20 },
+  'weights of outlines that its preset changes': { ...presetLook('technical'), outlineInner: 50, outlineCreases: 35 },
   'two lights': { secondLight: 'left', secondStrength: 80, lightKind: 'spot' },
   'one layer under two lights': {
     secondLight: 'opposite',

@@ -6,7 +6,7 @@ import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../hatchedScene.js'
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
 /** Outlines of one weight. */
-const ALIKE = { innerContours: 1, creases: 1, lostEdges: 0, shadeWeights: [1, 1] as [number, number] };
+const ALIKE = { weights: { innerContours: 1, creases: 1, lit: 1, shade: 1 }, lostEdges: 0 };
 const BLANK = {
   toneCurve: [
     [0, 0],

@@ -66,7 +66,7 @@ test('outlines are thinner with their depth, and heavier in front than without a
             [1, 0],
           ],
         },
-        outlines: { outlineWidth: 4, shadeWeights: [1, 1], borders: 1, lostEdges: 0 },
+        outlines: { outlineWidth: 4, weights: { lit: 1, shade: 1, borders: 1 }, lostEdges: 0 },
       });
       sheet.position.set(i - 1, 0, -depth);
       return sheet;
@@ -99,7 +99,7 @@ test('objects of importance 0 are blank, and hide what is behind them', async ()
 });
 
 test('a mesh without a hatching material has no fading', async () => {
-  const mesh = await hatchedMesh(new PlaneGeometry(1, 1), { outlines: { borders: 1, lostEdges: 0 } });
+  const mesh = await hatchedMesh(new PlaneGeometry(1, 1), { outlines: { weights: { borders: 1 }, lostEdges: 0 } });
   (mesh as Mesh).material = new MeshBasicMaterial();
   mesh.userData.hatching = { importance: 0 };
   const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1));

@@ -34,7 +34,7 @@ describe('hidden outlines', () => {
   });
 
   test('of a cube are its three hidden edges, faint and whole', async () => {
-    const scene = await sceneWith(new BoxGeometry(1.2, 1.2, 1.2), { hidden: 'faint', creases: 1 });
+    const scene = await sceneWith(new BoxGeometry(1.2, 1.2, 1.2), { hidden: 'faint', weights: { creases: 1 } });
     const { svg } = await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), PEN);
     const hidden = pathsOf(svg, 'hidden');
     expect(hidden.length).toBe(3);
@@ -54,7 +54,11 @@ describe('hidden outlines', () => {
   });
 
   test('are dashed from end to end, 3.5 widths of an outline drawn and two left blank', async () => {
-    const scene = await sceneWith(new BoxGeometry(1.2, 1.2, 1.2), { hidden: 'faint', creases: 1, outlineWidth: 2 });
+    const scene = await sceneWith(new BoxGeometry(1.2, 1.2, 1.2), {
+      hidden: 'faint',
+      weights: { creases: 1 },
+      outlineWidth: 2,
+    });
     const whole = pathsOf((await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), PEN)).svg, 'hidden');
     const dashed = pathsOf((await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), { ...PEN, hidden: 'dashed' })).svg, 'hidden');
     expect(dashed.length).toBeGreaterThan(30);

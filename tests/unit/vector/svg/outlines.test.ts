@@ -16,7 +16,7 @@ import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
 /** Outlines of one weight. */
-const ALIKE = { innerContours: 1, creases: 1, lostEdges: 0, accents: 0, shadeWeights: [1, 1] as [number, number] };
+const ALIKE = { weights: { innerContours: 1, creases: 1, lit: 1, shade: 1 }, lostEdges: 0, accents: 0 };
 const BLANK = {
   toneCurve: [
     [0, 0],
@@ -81,7 +81,10 @@ test('suggestive contours are drawn where they are asked for', async () => {
     const { position } = waves.attributes;
     for (let v = 0; v < position.count; v++) position.setZ(v, 0.06 * Math.sin(9 * position.getX(v)));
     waves.computeVertexNormals();
-    const mesh = await hatchedMesh(waves, { outlines: { ...ALIKE, borders: 0, suggestiveContours }, material: BLANK });
+    const mesh = await hatchedMesh(waves, {
+      outlines: { ...ALIKE, weights: { ...ALIKE.weights, borders: 0, suggestiveContours } },
+      material: BLANK,
+    });
     return drawSVG(sceneOf(mesh), cameraAt(1, 0, 1.4), { kind: 'pen' });
   };
   expect((await draw(0)).paths).toBe(0);
@@ -140,7 +143,10 @@ describe('a Möbius strip', async () => {
   };
 
   test('has one border, a path that goes round twice and is cut only where it passes behind itself', async () => {
-    const mesh = await hatchedMesh(strip(), { outlines: { ...ALIKE, creases: 0, outlineWidth: 1 }, material: BLANK });
+    const mesh = await hatchedMesh(strip(), {
+      outlines: { ...ALIKE, weights: { ...ALIKE.weights, creases: 0 }, outlineWidth: 1 },
+      material: BLANK,
+    });
     (mesh.material as HatchingMaterial).side = DoubleSide;
     const sheet = { kind: 'pen', sheet: [105, 105], margin: 0 } as const;
     const { drawn, paths } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), sheet);

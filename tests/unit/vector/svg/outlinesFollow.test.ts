@@ -21,12 +21,9 @@ import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 /** Outlines follow the properties of meshes that three.js reads, as on the canvas. */
 
 const EVEN = {
-  innerContours: 1,
-  creases: 1,
-  materialBorders: 0,
+  weights: { innerContours: 1, creases: 1, materialBorders: 0, lit: 1, shade: 1 },
   lostEdges: 0,
   accents: 0,
-  shadeWeights: [1, 1],
 } as const;
 const BLANK = {
   toneCurve: [

@@ -3,7 +3,7 @@ import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../../src/
 import { counts } from '../../../../src/look/measuredFacts.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
-import { OUTLINE_NUMBER_NAMES } from '../../../../src/material/outlines/outlineProperties.js';
+import { OUTLINE_NUMBER_NAMES, OUTLINE_WEIGHT_NAMES } from '../../../../src/material/outlines/outlineProperties.js';
 import { presets } from '../../../../src/scene/presets.js';
 import { materialSizesIn, parameterSetter } from '../../../../src/viewer/drawing/materials.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
@@ -83,7 +83,7 @@ describe('the presets of the page', () => {
     const outlines = new HatchingOutlineMaterial(presets[name].outlines);
     const drawn = new HatchingOutlineMaterial(outlineLook(settings));
     for (const number of OUTLINE_NUMBER_NAMES) expect(drawn[number], number).toBeCloseTo(outlines[number], 6);
-    expect(drawn.shadeWeights.distanceTo(outlines.shadeWeights)).toBeCloseTo(0, 6);
+    for (const name of OUTLINE_WEIGHT_NAMES) expect(drawn.weights[name], name).toBeCloseTo(outlines.weights[name], 6);
     expect(drawn.ink.equals(outlines.ink)).toBe(true);
     expect(settings.outlines).toBe('on');
   });
