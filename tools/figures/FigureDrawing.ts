@@ -85,7 +85,7 @@ export class FigureDrawing {
     camera.aspect = figure.aspect;
     camera.updateProjectionMatrix();
     const view = new Vector3(...(panel.view ?? figure.view ?? FIGURE_VIEW));
-    fitCamera(camera, model.outline, view, { zoom: panel.zoom ?? figure.zoom });
+    fitCamera(camera, model.framedPoints, view, { zoom: panel.zoom ?? figure.zoom });
     return drawing;
   }
 

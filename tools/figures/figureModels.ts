@@ -16,7 +16,7 @@ export interface FigureModel {
   parts: Record<string, BufferGeometry>;
   side: Side;
   /** The points that must lie in the picture, as xyz. */
-  outline: ArrayLike<number>;
+  framedPoints: ArrayLike<number>;
 }
 
 type Neighbour = Exclude<keyof typeof FOUR_TRIANGLES, 'c'>;
@@ -52,7 +52,7 @@ function builtIn(name: BuiltInModel): () => Promise<FigureModel> {
   return async () => {
     const mesh = meshIn(await BUILT_IN_MODELS[name].load(LOADING));
     const { geometry, side } = await bakeMesh(mesh, { outlines: true });
-    return { parts: { all: geometry }, side, outline: mesh.positions };
+    return { parts: { all: geometry }, side, framedPoints: mesh.positions };
   };
 }
 
@@ -61,14 +61,14 @@ async function hand(): Promise<FigureModel> {
   const mesh = await loadHand();
   // Lines of some presets follow the form.
   const { geometry } = await bakeMesh(mesh, { outlines: true, form: true });
-  return { parts: { all: geometry }, side: DoubleSide, outline: mesh.positions };
+  return { parts: { all: geometry }, side: DoubleSide, framedPoints: mesh.positions };
 }
 
 async function chair(): Promise<FigureModel> {
   const { shell, legs, cushion } = shellChair();
   const sources = { shell, legs: mergeGeometries(legs), cushion };
-  const outline = Object.values(sources).flatMap((source) => [...source.getAttribute('position').array]);
-  const bounds = new Box3().setFromArray(outline);
+  const framedPoints = Object.values(sources).flatMap((source) => [...source.getAttribute('position').array]);
+  const bounds = new Box3().setFromArray(framedPoints);
   const { x, y, z } = bounds.getCenter(new Vector3()).negate();
   const parts: FigureModel['parts'] = {};
   for (const [name, source] of Object.entries(sources))
@@ -76,7 +76,7 @@ async function chair(): Promise<FigureModel> {
   return {
     parts,
     side: DoubleSide,
-    outline: Object.values(sources).flatMap((s) => [...s.getAttribute('position').array]),
+    framedPoints: Object.values(sources).flatMap((s) => [...s.getAttribute('position').array]),
   };
 }
 
@@ -88,7 +88,7 @@ async function triangles(...neighbours: Neighbour[]): Promise<FigureModel> {
   const baked = await prepareHatchingGeometry(source, { layout: 'corner' });
   const parts = { centre: range(baked, 0, 3), others: range(baked, 3, 3 * neighbours.length) };
   // The points of all four triangles, so that they stay in the same place in every panel.
-  return { parts, side: DoubleSide, outline: FOUR_TRIANGLES_POSITIONS };
+  return { parts, side: DoubleSide, framedPoints: FOUR_TRIANGLES_POSITIONS };
 }
 
 /** A range of a geometry's corners, as a geometry that shares its attributes. */

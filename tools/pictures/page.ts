@@ -198,7 +198,7 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
   const holder = new Group().add(root);
   holder.rotation.set(...((picture.turned ?? [0, 0, 0]).map(MathUtils.degToRad) as [number, number, number]));
   const scene = new Scene().add(holder);
-  const outline = centre(holder);
+  const framedPoints = centre(holder);
 
   const preset = presets[picture.preset];
   const look = {
@@ -233,7 +233,7 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
   const camera = createCamera();
   camera.aspect = width / height;
   camera.updateProjectionMatrix();
-  fitCamera(camera, outline, new Vector3(...picture.view), { zoom: picture.zoom });
+  fitCamera(camera, framedPoints, new Vector3(...picture.view), { zoom: picture.zoom });
   renderer.render(scene, camera);
 
   const small = document.createElement('canvas');

@@ -110,8 +110,8 @@ export async function setUpScene(
   upright.rotation.set(...lookOf(settings).upright);
   scene.add(upright);
   scene.updateMatrixWorld();
-  const outline = turnedPoints(model.outline, upright);
-  const inPicture = aroundUpright(outline, angles);
+  const framedPoints = turnedPoints(model.framedPoints, upright);
+  const inPicture = aroundUpright(framedPoints, angles);
   const { cameras, lights: fileLights } = movedExtras(model.extras, upright.matrixWorld);
   const fileCamera = options.camera === undefined ? undefined : cameras[indexOfName(namesOf(cameras), options.camera)];
   const eye = fileCamera ? eyeOfFile(fileCamera) : eyeOf(options, place);
@@ -127,8 +127,8 @@ export async function setUpScene(
   else if (!isLit) {
     const lens = new PerspectiveCamera(LENS.fieldOfView, aspect, LENS.near, LENS.far);
     lens.up.copy(up);
-    const { direction } = flatteringLight(model.root, roomiestView(lens, outline, toEye, ON_SHEET), {
-      onGround: outline,
+    const { direction } = flatteringLight(model.root, roomiestView(lens, framedPoints, toEye, ON_SHEET), {
+      onGround: framedPoints,
     });
     const { theta, phi } = new Spherical().setFromVector3(direction);
     settings.lightAzimuth = MathUtils.radToDeg(theta);
@@ -143,7 +143,7 @@ export async function setUpScene(
   if (look.ground !== 'none') await isMade;
   const backdrop = new Backdrop(scene);
   backdrop.apply(look, model.extent);
-  const shadow = look.showsGround ? lights.shadowOf(outline, ground.height, toEye, up) : undefined;
+  const shadow = look.showsGround ? lights.shadowOf(framedPoints, ground.height, toEye, up) : undefined;
   const placed = fileCamera
     ? cameraOfFile(aspect, fileCamera, isOrthographic)
     : place

@@ -49,7 +49,7 @@ export function lightModel(viewport: Viewport, settings: Settings): SavedView['l
   if (!viewport.model) return undefined;
   const { view } = viewport;
   const camera = view.isFramed ? view.roomiest : viewport.camera;
-  const { direction } = flatteringLight(viewport.model.root, camera, { onGround: view.modelOutline });
+  const { direction } = flatteringLight(viewport.model.root, camera, { onGround: view.framedPoints });
   if (settings.lightFollows === 'viewer') direction.applyQuaternion(viewport.camera.quaternion.clone().invert());
   const { theta, phi } = new Spherical().setFromVector3(direction);
   const place = { lightAzimuth: MathUtils.radToDeg(theta), lightElevation: 90 - MathUtils.radToDeg(phi) };

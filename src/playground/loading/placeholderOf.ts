@@ -53,7 +53,7 @@ function unbaked(
   bounds: Box3,
   parameters: HatchingMaterialParameters,
   triangles: number,
-  outline: Float32Array,
+  framedPoints: Float32Array,
 ): HatchedModel {
   const material = new HatchingMaterial({ tilesPerObjectUnit: 1, ...parameters });
   const drawn = new Mesh(geometry, material);
@@ -65,5 +65,6 @@ function unbaked(
     material.dispose();
   };
   const root = new Group().add(drawn);
-  return new HatchedModel(root, bounds, outline, undefined, { triangles, ...none }, undefined, [material], [], free);
+  const counts = { triangles, ...none };
+  return new HatchedModel(root, bounds, framedPoints, undefined, counts, undefined, [material], [], free);
 }

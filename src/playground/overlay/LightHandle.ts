@@ -38,7 +38,7 @@ interface LightHandleHost {
   /** The position of the light, in world coordinates. The model's centre is the origin. */
   lightPosition: Vector3;
   /** xyz of points of the model. */
-  outline(): ArrayLike<number>;
+  framedPoints(): ArrayLike<number>;
   /** The number of framings; 0 while the model is not framed. */
   framedCount(): number;
   /** Whether the light's position is relative to the viewer instead of the model. */
@@ -261,7 +261,7 @@ export class LightHandle {
     this.framedCount = count;
     this.aside.set(0, 0);
     if (!isSun) return;
-    const silhouette = new Silhouette(this.host.outline(), this.host.camera, this.projection.size);
+    const silhouette = new Silhouette(this.host.framedPoints(), this.host.camera, this.projection.size);
     const { width, height } = this.projection.size;
     const sheet = new Box2(new Vector2(MARGIN, MARGIN), new Vector2(width - MARGIN, height - MARGIN));
     this.aside.copy(silhouette.wayAround(this.placeOnSheet(), CLEAR.radius, sheet, CLEAR.way));

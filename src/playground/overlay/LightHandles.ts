@@ -24,7 +24,7 @@ export class LightHandles {
     const common = {
       viewport: page.viewport,
       camera: viewport.camera,
-      outline: () => viewport.view.modelOutline,
+      framedPoints: () => viewport.view.framedPoints,
       framedCount: () => viewport.view.framedCount,
       isWithViewer: () => settings.lightFollows === 'viewer',
       onDrag: (dragging: boolean) => {

@@ -73,7 +73,7 @@ export function placeOnFrame(plan: VideoPlan, view: Size, isFramed: boolean): Om
 const TURNS = 24;
 
 /** The points of a model at all sampled turns about the up axis. @param positions xyz of each point */
-export function turnedOutlines(positions: ArrayLike<number>): Float32Array {
+export function turnedPoints(positions: ArrayLike<number>): Float32Array {
   const all = new Float32Array(TURNS * positions.length);
   for (let turn = 0; turn < TURNS; turn++) {
     const [cosine, sine] = [Math.cos((2 * Math.PI * turn) / TURNS), Math.sin((2 * Math.PI * turn) / TURNS)];
@@ -156,10 +156,10 @@ export class FramePoser {
 
 /** @returns the camera's target */
 function frame({ view }: Viewport, camera: PerspectiveCamera, aspect: number, turns: boolean): Vector3 {
-  const { outline, first, fill, shadow } = view.framing;
+  const { framedPoints, first, fill, shadow } = view.framing;
   camera.aspect = aspect;
   camera.updateProjectionMatrix();
-  if (!turns) return fitCamera(camera, outline, first, { fill, shadow });
+  if (!turns) return fitCamera(camera, framedPoints, first, { fill, shadow });
   // The shadows of all turns together would reach to every side, so they are not framed.
-  return fitCamera(camera, turnedOutlines(outline), first, { fill });
+  return fitCamera(camera, turnedPoints(framedPoints), first, { fill });
 }

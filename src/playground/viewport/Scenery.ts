@@ -86,12 +86,12 @@ export class Scenery {
     if (this.look) this.backdrop.apply(this.look, shown.model.extent);
     ground.height = shown.model.bounds.clone().applyMatrix4(upright.matrix).min.y;
     this.casters = undefined;
-    return turned(shown.model.outline, upright.matrix);
+    return turned(shown.model.framedPoints, upright.matrix);
   }
 
   /** The shadow of points (xyz) on the ground, seen from a direction, as xyz; undefined without a shadow. */
-  shadowOf(outline: ArrayLike<number>, toEye: Vector3): number[] | undefined {
-    return this.showsShadow ? this.lights.shadowOf(outline, this.ground.height, toEye) : undefined;
+  shadowOf(framedPoints: ArrayLike<number>, toEye: Vector3): number[] | undefined {
+    return this.showsShadow ? this.lights.shadowOf(framedPoints, this.ground.height, toEye) : undefined;
   }
 
   /**

@@ -19,8 +19,8 @@ const ON_SHEET = { fill: 0.86, room: SHADOW_ROOM };
 const UPRIGHT = { aspect: 0.65, fill: 0.9, room: { model: 0.94, shadow: 0.93, smaller: 1.18 } };
 /** The minimum shares of width and height that models fill there, with room for their shadow. Wide models are turned to achieve that. */
 const UPRIGHT_LEAST = { width: 0.56, height: 0.41 };
-/** The outline that is framed before there is a model. */
-const NO_OUTLINE = [-1, -1, -1, 1, 1, 1];
+/** The points that are framed before there is a model. */
+const NO_POINTS = [-1, -1, -1, 1, 1, 1];
 
 /** The view as Undo restores it. */
 export interface ViewState extends CameraView {
@@ -30,7 +30,7 @@ export interface ViewState extends CameraView {
 
 /** How a model is framed: points on its outer parts as xyz, the direction to the eye, and the options of {@link fitCamera}. */
 interface ModelFraming extends Framing {
-  outline: ArrayLike<number>;
+  framedPoints: ArrayLike<number>;
   first: Vector3;
 }
 
@@ -49,20 +49,20 @@ export class View {
   private frames = 0;
   private isPlacing = false;
   private readonly first = new Vector3(...DEFAULT_VIEW);
-  private outline: ArrayLike<number> = NO_OUTLINE;
+  private points: ArrayLike<number> = NO_POINTS;
   /** The aspect of the viewport; the camera's differs while pictures are drawn. */
   private aspect = 1;
   private shownSheet: readonly [number, number] | undefined;
 
   /**
    * @param onChange called when a frame must be drawn
-   * @param shadowOf xyz of the shadow of an outline, seen from a direction; undefined without a shadow
+   * @param shadowOf xyz of the shadow of points, seen from a direction; undefined without a shadow
    */
   constructor(
     canvas: HTMLCanvasElement,
     private readonly camera: LensCamera,
     private readonly onChange: () => void,
-    private readonly shadowOf: (outline: ArrayLike<number>, toEye: Vector3) => ArrayLike<number> | undefined,
+    private readonly shadowOf: (framedPoints: ArrayLike<number>, toEye: Vector3) => ArrayLike<number> | undefined,
   ) {
     this.controls = new OrbitControls(camera, canvas);
     this.controls.minDistance = MIN_DISTANCE;
@@ -115,8 +115,8 @@ export class View {
   }
 
   /** xyz of points on the outer parts of the model. */
-  get modelOutline(): ArrayLike<number> {
-    return this.outline;
+  get framedPoints(): ArrayLike<number> {
+    return this.points;
   }
 
   /** Frames the whole model, and its shadow unless that is long. */
@@ -135,8 +135,8 @@ export class View {
   }
 
   private fit(camera: LensCamera): Vector3 {
-    const { outline, first, ...framing } = this.framing;
-    return fitCamera(camera, outline, first, framing);
+    const { framedPoints, first, ...framing } = this.framing;
+    return fitCamera(camera, framedPoints, first, framing);
   }
 
   /**
@@ -144,9 +144,9 @@ export class View {
    * when the model is framed with it, without moving the model aside.
    */
   get roomiest(): LensCamera {
-    const { outline, first, room = SHADOW_ROOM, ...framing } = this.framing;
+    const { framedPoints, first, room = SHADOW_ROOM, ...framing } = this.framing;
     const camera = this.camera.clone();
-    roomiestView(camera, outline, first, { ...framing, room });
+    roomiestView(camera, framedPoints, first, { ...framing, room });
     return camera;
   }
 
@@ -184,27 +184,27 @@ export class View {
 
   /** The arguments of {@link fitCamera} for the model. */
   get framing(): ModelFraming {
-    const { outline, first } = this;
-    const framing = { outline, first, fill: FILL, ...this.framingForSheet };
-    return { ...framing, shadow: this.shadowOf(outline, framing.first) };
+    const { framedPoints, first } = this;
+    const framing = { framedPoints, first, fill: FILL, ...this.framingForSheet };
+    return { ...framing, shadow: this.shadowOf(framedPoints, framing.first) };
   }
 
   private get framingForSheet(): Partial<ModelFraming> {
-    const { outline, first, shownSheet, aspect } = this;
+    const { framedPoints, first, shownSheet, aspect } = this;
     if (shownSheet) return { ...ON_SHEET, part: shownSheet };
-    return aspect < UPRIGHT.aspect ? uprightFraming(outline, first, aspect) : {};
+    return aspect < UPRIGHT.aspect ? uprightFraming(framedPoints, first, aspect) : {};
   }
 
   /**
-   * Sets the outline of a new model, or of one that was turned.
+   * Sets the points by which a new model, or one that was turned, is framed.
    *
-   * @param outline xyz of points on its outer parts
+   * @param framedPoints xyz of points on its outer parts
    * @param first direction to the eye when the model is framed; undefined keeps the present one
    */
-  setOutline(outline: ArrayLike<number>, first?: readonly [number, number, number]): void {
-    this.outline = outline;
+  setFramedPoints(framedPoints: ArrayLike<number>, first?: readonly [number, number, number]): void {
+    this.points = framedPoints;
     if (first) this.first.set(...first);
-    this.proportion = proportionOf(outline, this.first);
+    this.proportion = proportionOf(framedPoints, this.first);
     if (this.isFramed) this.frame();
   }
 
@@ -290,11 +290,11 @@ export class View {
   }
 }
 
-function uprightFraming(outline: ArrayLike<number>, first: Vector3, aspect: number): Partial<ModelFraming> {
+function uprightFraming(framedPoints: ArrayLike<number>, first: Vector3, aspect: number): Partial<ModelFraming> {
   const { fill, room } = UPRIGHT;
   const { width, height } = UPRIGHT_LEAST;
-  const view = turnedView(outline, first, (fill * aspect) / room.smaller / height);
-  const isAsWide = Math.min(1, proportionOf(outline, view) / aspect);
+  const view = turnedView(framedPoints, first, (fill * aspect) / room.smaller / height);
+  const isAsWide = Math.min(1, proportionOf(framedPoints, view) / aspect);
   const smaller = MathUtils.clamp((fill * isAsWide) / width, 1, room.smaller);
   return { first: view, fill, room: { ...room, smaller } };
 }

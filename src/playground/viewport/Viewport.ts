@@ -55,7 +55,7 @@ export class Viewport {
         this.changes++;
         invalidate();
       },
-      (outline, toEye) => scenery.shadowOf(outline, toEye),
+      (framedPoints, toEye) => scenery.shadowOf(framedPoints, toEye),
     );
     painter.sheetOf = () => this.view.sheet ?? WHOLE_SHEET;
     this.contextLoss = new ContextLoss(painter, scenery, this.frames, this.quality);
@@ -176,8 +176,8 @@ export class Viewport {
 
   /** Puts the ground under the model, and frames the model if the previous one was framed. */
   private placeModel(firstView?: readonly [number, number, number]): void {
-    const outline = this.scenery.standOnGround();
-    if (outline) this.view.setOutline(outline, firstView);
+    const framedPoints = this.scenery.standOnGround();
+    if (framedPoints) this.view.setFramedPoints(framedPoints, firstView);
   }
 
   /** Resizes the canvas to the viewport and draws a frame at once, unless frames are held. */

@@ -12,12 +12,12 @@ const ENOUGH_POINTS = 1500;
 /**
  * The view nearest to a given one in which the aspect of points does not exceed `most`; if none exists, the one with the lowest aspect.
  *
- * @param outline xyz of each point
+ * @param framedPoints xyz of each point
  * @param first direction to the eye
  * @param most maximum aspect (width / height)
  */
-export function turnedView(outline: ArrayLike<number>, first: Vector3, most: number): Vector3 {
-  const points = someOf(outline);
+export function turnedView(framedPoints: ArrayLike<number>, first: Vector3, most: number): Vector3 {
+  const points = someOf(framedPoints);
   let best = first;
   let least = Infinity;
   for (const { view, cost } of views(first)) {
@@ -48,10 +48,11 @@ function* views(first: Vector3): Generator<{ view: Vector3; cost: number }, void
   }
 }
 
-function someOf(outline: ArrayLike<number>): ArrayLike<number> {
-  const step = Math.ceil(outline.length / 3 / ENOUGH_POINTS);
-  if (step <= 1) return outline;
+function someOf(framedPoints: ArrayLike<number>): ArrayLike<number> {
+  const step = Math.ceil(framedPoints.length / 3 / ENOUGH_POINTS);
+  if (step <= 1) return framedPoints;
   const points: number[] = [];
-  for (let i = 0; i + 2 < outline.length; i += 3 * step) points.push(outline[i], outline[i + 1], outline[i + 2]);
+  for (let i = 0; i + 2 < framedPoints.length; i += 3 * step)
+    points.push(framedPoints[i], framedPoints[i + 1], framedPoints[i + 2]);
   return points;
 }

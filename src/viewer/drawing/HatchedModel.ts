@@ -127,7 +127,7 @@ export class HatchedModel {
    * @param root the model, centred, with a radius of 1. Its materials are hatching materials with the colours and maps of the source, and
    *   strokes of one tile per world unit.
    * @param bounds of the parts that stand on the ground
-   * @param outline xyz of points on the outer parts of the root, in all poses
+   * @param framedPoints xyz of points on the outer parts of the root, in all poses
    * @param stands the up axis suggested by a flat side; undefined if there is none
    * @param motion clips and morph targets, if the model has any
    * @param outlines of its meshes; several may share a material
@@ -136,7 +136,7 @@ export class HatchedModel {
   constructor(
     readonly root: Object3D,
     readonly bounds: Box3,
-    readonly outline: Float32Array,
+    readonly framedPoints: Float32Array,
     readonly stands: UpAxis | undefined,
     readonly statistics: ModelStatistics,
     readonly motion: Motion | undefined,

@@ -102,14 +102,14 @@ function boxOf(meshes: readonly Mesh[], counts: (material: Material) => boolean)
   return box;
 }
 
-/** The maximum number of points, enough to show the outline of a model. */
-const OUTLINE_POINTS = 20_000;
+/** The maximum number of points by which a model is framed. */
+const FRAMED_POINTS = 20_000;
 
 /** An even sample of a mesh's vertices. */
 export function someVertices(positions: Float32Array): Float32Array {
   const count = positions.length / 3;
-  const step = Math.ceil(count / OUTLINE_POINTS);
-  const outline = new Float32Array(3 * Math.ceil(count / step));
-  for (let i = 0; i < count; i += step) outline.set(positions.subarray(3 * i, 3 * i + 3), 3 * (i / step));
-  return outline;
+  const step = Math.ceil(count / FRAMED_POINTS);
+  const framedPoints = new Float32Array(3 * Math.ceil(count / step));
+  for (let i = 0; i < count; i += step) framedPoints.set(positions.subarray(3 * i, 3 * i + 3), 3 * (i / step));
+  return framedPoints;
 }

@@ -96,7 +96,7 @@ export async function modelOfScene(
   const motion = new Motion(root, usable);
   const holder = new Group().add(root);
   await slices.next();
-  const { outline, standing } = fitScene(holder, motion);
+  const { framedPoints, standing } = fitScene(holder, motion);
   await slices.next();
   const { points, share } = someTriangles(root);
   const stands = usual && findUpAxis(points, null, usual);
@@ -117,7 +117,7 @@ export async function modelOfScene(
   const model = new HatchedModel(
     holder,
     standing,
-    outline,
+    framedPoints,
     stands,
     statistics,
     motion.canMove ? motion : undefined,
@@ -178,7 +178,7 @@ function removeUnseen(root: Object3D): void {
  *
  * @returns points of its outline in these poses, as xyz, and the box of the parts that stand on the ground
  */
-function fitScene(holder: Group, motion: Motion): { outline: Float32Array; standing: Box3 } {
+function fitScene(holder: Group, motion: Motion): { framedPoints: Float32Array; standing: Box3 } {
   const vertices = countVertices(holder);
   const poses = motion.duration > 0 ? MathUtils.clamp(Math.floor(MAX_POINTS / vertices), 1, MAX_POSES) : 1;
   const step = Math.ceil((vertices * poses) / MAX_POINTS);
@@ -196,12 +196,12 @@ function fitScene(holder: Group, motion: Motion): { outline: Float32Array; stand
   holder.scale.setScalar(1 / radius);
   holder.position.set(...centre).divideScalar(-radius);
   holder.updateMatrixWorld(true);
-  const outline = new Float32Array(points.length);
+  const framedPoints = new Float32Array(points.length);
   const point = new Vector3();
   for (let i = 0; i < points.length; i += 3)
-    point.fromArray(points, i).applyMatrix4(holder.matrixWorld).toArray(outline, i);
+    point.fromArray(points, i).applyMatrix4(holder.matrixWorld).toArray(framedPoints, i);
   const standing = standingBox(boxes).applyMatrix4(holder.matrixWorld);
-  return { outline, standing: standing.isEmpty() ? new Box3().setFromArray(outline) : standing };
+  return { framedPoints, standing: standing.isEmpty() ? new Box3().setFromArray(framedPoints) : standing };
 }
 
 /** An even sample of a scene's triangles, as xyz of their corners, and its share of all triangles. */

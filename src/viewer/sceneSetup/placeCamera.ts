@@ -39,18 +39,18 @@ export interface PlacedCamera {
  * A camera that frames a model of radius 1.
  *
  * @param aspect of the picture
- * @param outline xyz of points that must be in the picture
+ * @param framedPoints xyz of points that must be in the picture
  */
 export function framedCamera(
   aspect: number,
-  outline: ArrayLike<number>,
+  framedPoints: ArrayLike<number>,
   { toEye, up }: EyeDirection,
   { isOrthographic, ...framing }: Framing & { isOrthographic: boolean },
 ): PlacedCamera {
   const fieldOfView = isOrthographic ? NARROW : LENS.fieldOfView;
   const camera = new PerspectiveCamera(fieldOfView, aspect, LENS.near, LENS.far);
   camera.up.copy(up);
-  const target = fitCamera(camera, outline, toEye, framing);
+  const target = fitCamera(camera, framedPoints, toEye, framing);
   return { camera: isOrthographic ? withoutPerspective(camera, target) : camera, target };
 }
 
@@ -126,11 +126,11 @@ export function turnCamera({ camera, target }: PlacedCamera, angle: number): voi
  */
 export function roomiestView(
   framed: PerspectiveCamera,
-  outline: ArrayLike<number>,
+  framedPoints: ArrayLike<number>,
   toEye: Vector3,
   { fill, part = [1, 1], room }: Framing & Required<Pick<Framing, 'room'>>,
 ): PerspectiveCamera {
-  fitCamera(framed, outline, toEye, { ...(fill !== undefined && { fill }), part, zoom: 1 / room.smaller });
+  fitCamera(framed, framedPoints, toEye, { ...(fill !== undefined && { fill }), part, zoom: 1 / room.smaller });
   framed.updateMatrixWorld();
   const sheet = new Matrix4().makeScale(1 / (part[0] * room.shadow), 1 / (part[1] * room.shadow), 1);
   framed.projectionMatrix.premultiply(sheet);

@@ -17,8 +17,8 @@ function createStage(isFramed = true, extras = NO_EXTRAS) {
     applied.push(look);
     upright.rotation.set(...look.upright);
   };
-  const modelOutline = root.geometry.attributes.position.array;
-  const view = { isFramed, frame: vi.fn(), roomiest: camera, modelOutline };
+  const framedPoints = root.geometry.attributes.position.array;
+  const view = { isFramed, frame: vi.fn(), roomiest: camera, framedPoints };
   const viewport = { model: { root, extras }, camera, apply, view };
   return { viewport, applied, root, light: (settings: Settings) => lightModel(viewport as never, settings) };
 }

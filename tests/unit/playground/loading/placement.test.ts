@@ -45,15 +45,15 @@ function framed(model: HatchedModel, first: Direction, turn: number, [width, hei
   const holder = new Group().add(model.root);
   holder.rotation.y = MathUtils.degToRad(turn);
   holder.updateMatrixWorld(true);
-  const outline = model.outline.slice();
+  const framedPoints = model.framedPoints.slice();
   const point = new Vector3();
   let ground = Infinity;
-  for (let i = 0; i < outline.length; i += 3) {
-    point.fromArray(outline, i).applyMatrix4(holder.matrix).toArray(outline, i);
+  for (let i = 0; i < framedPoints.length; i += 3) {
+    point.fromArray(framedPoints, i).applyMatrix4(holder.matrix).toArray(framedPoints, i);
     ground = Math.min(ground, point.y);
   }
   const light = new Vector3();
-  const shadow = (): number[] => shadowOnGround(outline, light, true, ground);
+  const shadow = (): number[] => shadowOnGround(framedPoints, light, true, ground);
   const element = Object.assign(new EventTarget(), {
     style: {},
     getRootNode: () => new EventTarget(),
@@ -67,15 +67,15 @@ function framed(model: HatchedModel, first: Direction, turn: number, [width, hei
     light.setFromSphericalCoords(1, MathUtils.degToRad(90 - place.elevation), MathUtils.degToRad(place.azimuth));
   };
   view.resized(width / height);
-  view.setOutline(outline, first);
+  view.setFramedPoints(framedPoints, first);
   const viewport = { model: { root: holder, extras: NO_EXTRAS }, camera, view, apply };
-  return { viewport, camera, place: () => placeOf(camera, outline, shadow()), light };
+  return { viewport, camera, place: () => placeOf(camera, framedPoints, shadow()), light };
 }
 
 /** Where the subject and its shadow are: shares of the sheet. */
-function placeOf(camera: ReturnType<typeof createCamera>, outline: Float32Array, shadow: number[]) {
+function placeOf(camera: ReturnType<typeof createCamera>, framedPoints: Float32Array, shadow: number[]) {
   camera.updateMatrixWorld();
-  const subject = reachOf(camera, outline);
+  const subject = reachOf(camera, framedPoints);
   return {
     /** The distance of the subject's middle from that of the sheet. */
     aside: Math.abs(subject.right + subject.left) / 4,

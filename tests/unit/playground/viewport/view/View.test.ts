@@ -6,11 +6,11 @@ import type { CameraLens, CameraView } from '../../../../../src/viewer/settings/
 import { defaultSettings } from '../../../../../src/viewer/settings/settings.js';
 import { readLink, writeLink } from '../../../../../src/viewer/settings/shareLink.js';
 
-const outline = new BoxGeometry(1.2, 1, 0.8).getAttribute('position').array as Float32Array;
+const framedPoints = new BoxGeometry(1.2, 1, 0.8).getAttribute('position').array as Float32Array;
 
 /** A view of a box on an element of no page, which keys turn and move. */
 function viewOf(
-  shadowOf: (outline: ArrayLike<number>, toEye: Vector3) => ArrayLike<number> | undefined = () => undefined,
+  shadowOf: (framedPoints: ArrayLike<number>, toEye: Vector3) => ArrayLike<number> | undefined = () => undefined,
 ) {
   const element = Object.assign(new EventTarget(), {
     style: {},
@@ -22,7 +22,7 @@ function viewOf(
   const camera = createCamera();
   const view = new View(element as never, camera, () => {}, shadowOf);
   view.resized(4 / 3);
-  view.setOutline(outline, [0.62, 0.36, 1]);
+  view.setFramedPoints(framedPoints, [0.62, 0.36, 1]);
   const press = (key: string): void => void element.dispatchEvent(Object.assign(new Event('keydown'), { key }));
   return { view, camera, press };
 }

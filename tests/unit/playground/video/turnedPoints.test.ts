@@ -1,6 +1,6 @@
 import { TorusKnotGeometry, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { turnedOutlines } from '../../../../src/playground/video/videoPlan.js';
+import { turnedPoints } from '../../../../src/playground/video/videoPlan.js';
 import { fitCamera } from '../../../../src/viewer/sceneSetup/framing.js';
 import { createCamera } from '../../../../src/viewer/sceneSetup/LensCamera.js';
 
@@ -12,7 +12,7 @@ test('a model that turns stays within the picture, and fills it in the widest tu
   camera.updateProjectionMatrix();
   // Long, and off the axis that it turns about.
   const points = new TorusKnotGeometry().scale(0.4, 0.3, 1.6).translate(0, 0, 0.4).getAttribute('position').array;
-  fitCamera(camera, turnedOutlines(points), new Vector3(0, 0.3, 1), { fill: FILL });
+  fitCamera(camera, turnedPoints(points), new Vector3(0, 0.3, 1), { fill: FILL });
   camera.updateMatrixWorld();
   let widest = 0;
   for (let turn = 0; turn < 60; turn++) {
