@@ -45,7 +45,7 @@ export type { ApplyHatchingOptions } from './scene/ApplyHatchingOptions.js';
 export { applyHatching } from './scene/applyHatching.js';
 export { type BakeOcclusionOptions, bakeOcclusion } from './scene/bakeOcclusion.js';
 export { fitExposure } from './scene/fitExposure.js';
-export type { HatchedScene, SkippedMesh } from './scene/HatchedScene.js';
+export type { HatchedScene, HatchingTask } from './scene/HatchedScene.js';
 export type { DetailOptions } from './scene/levelMaker.js';
 export {
   type FlatteringLight,
@@ -54,6 +54,7 @@ export {
 } from './scene/lighting/flatteringLight.js';
 export type { OcclusionBake } from './scene/OcclusionBake.js';
 export { type HatchingPreset, type PresetName, presets, withPreset } from './scene/presets.js';
+export type { SkippedMesh } from './scene/SkippedMesh.js';
 export { scalePreset } from './scene/scalePreset.js';
 export {
   type EngravedHand,

@@ -22,9 +22,11 @@ function Hatched({ preset, onHatched, children }: HatchedProps) {
   useEffect(() => {
     const root = group.current!;
     const changed = new AbortController();
-    applyHatching(root, { preset, replaces: hatched.current, signal: changed.signal }).then(
-      (next) => {
-        hatched.current = next;
+    const { signal } = changed;
+    const ready = hatched.current?.setPreset(preset, { signal }) ?? applyHatching(root, preset, { signal });
+    ready.then(
+      (present) => {
+        hatched.current = present;
         root.visible = true;
         onHatched(preset);
         invalidate();

@@ -54,10 +54,8 @@ const draw = () => renderer.render(scene, camera);
 let hatched: HatchedNodeScene | undefined;
 
 async function show(preset: PresetName) {
-  const before = hatched;
-  hatched = await applyHatching(scene, { ...presets[preset], replaces: before });
-  before?.dispose();
-  renderer.setClearColor(String(presets[preset].material.paper));
+  hatched = await (hatched?.setPreset(preset) ?? applyHatching(scene, preset));
+  renderer.setClearColor(hatched.background);
   await renderer.compileAsync(scene, camera);
   draw();
 }

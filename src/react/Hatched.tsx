@@ -5,7 +5,7 @@ import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial } from '
 import { Hatcher, type HatcherEvents } from './Hatcher.js';
 
 /** The options of `applyHatching` that are props of `<Hatched>`, which sets the others itself. */
-export type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'replaces' | 'renderer' | 'camera' | 'invalidate'>;
+export type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'renderer' | 'camera' | 'invalidate'>;
 /** The group props of `<Hatched>`. */
 export type HatchedGroupProps = Omit<
   ThreeElements['group'],

@@ -87,7 +87,6 @@ export class Hatcher {
 
   /** Copies changes of materials, and checks whether the scene has changed since it was hatched. Must be called before each frame. */
   follow(): void {
-    this.hatched?.follow();
     if (!this.wanted || !this.snapshot.differs(this.root)) return;
     // A change during the work is hatched right after it.
     if (this.isBusy) this.hideUnhatched(this.wanted);
@@ -168,16 +167,16 @@ export class Hatcher {
     const { filter = () => true } = options;
     this.snapshot.take(this.root);
     const isEmpty = meshesOf(this.root).length === 0;
-    const hatched = await applyHatching(this.root, {
+    const wanted: ApplyHatchingOptions = {
       ...options,
       ...this.drawnBy(),
       tonalArtMap: map.source,
       // React may add a mesh before its geometry, and a helper before any mesh to hatch.
       filter: (mesh) => !isEmpty && hasPositions(mesh) && filter(mesh),
-      replaces: this.hatched,
       invalidate: () => this.takeFormed(),
       signal,
-    });
+    };
+    const hatched = this.hatched ? await this.hatched.setPreset(wanted) : await applyHatching(this.root, wanted);
     if (signal.aborted) hatched.dispose();
     signal.throwIfAborted();
     this.hatched = hatched;

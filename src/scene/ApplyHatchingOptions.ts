@@ -8,7 +8,6 @@ import type {
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
-import type { HatchedScene } from './HatchedScene.js';
 import type { DetailOptions } from './levelMaker.js';
 
 /** A complete look: the material, outlines and tonal art map, in the form of the options of `applyHatching`. */
@@ -28,11 +27,6 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
    * parameters in `material` and `outlines` do so one by one. Default: no preset.
    */
   preset?: PresetName | HatchingPreset | undefined;
-  /**
-   * The result of an earlier call for the same scene, or for a part of it. It stays visible until the new look is ready, and is
-   * then disposed of, so that the scene never shows its own materials in between. By default the scene must not be hatched yet.
-   */
-  replaces?: HatchedScene | undefined;
   /**
    * The tonal art map for those materials that need one and have none among their parameters: your own map, the options of
    * `TonalArtMap.generate`, or a function that resolves with your own map. The function is called with a progress listener while

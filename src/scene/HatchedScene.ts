@@ -1,75 +1,170 @@
-import type { Mesh } from 'three';
+import { type BufferGeometry, Color, type Material, type Mesh, type Object3D } from 'three';
+import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
 import { FIELD_FRAME } from '../material/fieldFrameName.js';
 import { identityOf } from '../material/geometry/identityOf.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
+import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
+import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
+import { lookOptions, resolveOptions } from './applyOptions.js';
+import { beginCall, type CallUnderWay } from './beginCall.js';
+import type { ChosenMeshes, MeshHolder } from './chooseMeshes.js';
+import { growExtent } from './dressLooks.js';
 import type { MeshLook } from './geometryPlans.js';
+import type { BakedGeometry, LookMakers, MadeLooks, SceneStyle } from './HatchingCall.js';
 import type { LaterForms } from './LaterForms.js';
-import type { MaterialFollower } from './MaterialReplacer.js';
+import type { HideDetail } from './levelMaker.js';
+import { type PreparedCall, prepareLooks } from './prepareLooks.js';
+import type { PresetName } from './presets.js';
+import type { SkippedMesh } from './SkippedMesh.js';
+import { type InPlaceOf, StyleChange } from './StyleChange.js';
 import { claimMeshes, isHatching, materialsOf } from './surfaceMeshes.js';
 
-/** A mesh that was left unchanged, or hatched without the outlines that were requested. */
-export interface SkippedMesh {
-  mesh: Mesh;
-  /** The reason, in a sentence that names the mesh. */
-  reason: string;
-  /** The cause, if the mesh should have been hatched and could not be. */
-  error?: Error | undefined;
+/** How a change of a hatched scene is watched and aborted. */
+export interface HatchingTask {
+  /** Aborts the change: the scene stays as it is, and the promise is rejected with the signal's reason. */
+  signal?: AbortSignal | undefined;
+  /** Called with the progress, from 0 to 1. */
+  onProgress?: ((progress: number) => void) | undefined;
 }
 
-/** New looks of meshes that are ready to be shown. */
-export interface MadeLooks {
-  looks: readonly MeshLook[];
-  /** All new materials. */
-  materials: readonly HatchingMaterial[];
-  /** The outlines of all meshes, if requested. */
-  outlines: readonly HatchingOutlines[];
-  /** Meshes that were left alone, or have no outlines. */
-  skipped: readonly SkippedMesh[];
-  /** Copy changes from the materials that were replaced. */
-  followers: readonly MaterialFollower[];
-  /** Everything that `dispose()` frees. */
-  disposables: { dispose(): void }[];
-  /** Bakes form fields from now on, if lines follow the form anywhere. */
-  forms: LaterForms | null;
-  /** Starts to draw levels of detail; the returned function ends it. */
-  showDetail: (() => () => void) | undefined;
+/** A hatched mesh. */
+interface Part {
+  readonly mesh: Mesh;
+  readonly before: MeshLook;
+  readonly after: MeshLook;
+  readonly batch: Batch;
+  outlines: HatchingOutlines | null;
+  /** Why it has no outlines, if it should have some. */
+  without: SkippedMesh | undefined;
+  readonly unclaim: () => void;
 }
 
-/** A scene hatched by `applyHatching`, which can be restored. */
+/** What was made for meshes that were hatched together. */
+interface Batch {
+  readonly geometries: Set<BufferGeometry>;
+  readonly forms: LaterForms | null;
+  readonly hideDetail: HideDetail | undefined;
+}
+
+/**
+ * A scene hatched by `applyHatching`: the handle by which it is changed, brought up to date and given back.
+ *
+ * The materials of the scene, its sources, stay the truth: what you change in them, such as a colour, a map, the opacity, the visibility
+ * or the sides, counts in the next frame. A parameter that you passed, and a value that you have set on the hatched material, stays.
+ */
 export class HatchedScene {
   /** @internal */
   readonly isHatchedScene = true;
-  /** All new materials; you may change them. */
-  readonly materials: readonly HatchingMaterial[];
-  /** The outlines of all meshes, if requested; you may change their materials. */
-  readonly outlines: readonly HatchingOutlines[];
-  /** Meshes that were left alone, or have no outlines. */
-  readonly skipped: readonly SkippedMesh[];
-  /** What each mesh looked like, and looks like; empty once it is restored. */
-  private changes: readonly LookChange[];
-  /** The identities of the hatched meshes. */
-  private held: ReadonlySet<object>;
-  private readonly releaseMeshes: () => void;
-  private readonly hideDetail: (() => void) | undefined;
+  /** The hatched meshes, by their identities. */
+  private readonly parts = new Map<object, Part>();
+  private batches: Batch[] = [];
+  private baked = new Map<BufferGeometry, BakedGeometry>();
+  private style: SceneStyle;
+  private hatchingMaterials: readonly HatchingMaterial[] = [];
+  private ownOutlines: readonly HatchingOutlines[] = [];
+  private leftOut: readonly SkippedMesh[] = [];
+  private readonly paper = new Color();
+  /** The options as they were passed, without those of the preset. */
+  private given: ApplyHatchingOptions;
+  /** Materials whose values others have taken over: their programs serve the next frame. */
+  private spent: Material[] = [];
+  private underWay: CallUnderWay | null = null;
+  /** The options of a call of `setPreset` that is under way. */
+  private wanted: ApplyHatchingOptions | null = null;
+  /** Meshes that were released while a call is under way. */
+  private released = new Set<object>();
+  private isDisposed = false;
 
-  /** Gives the meshes their new looks, all at once. @internal */
-  constructor(private readonly made: MadeLooks) {
-    const { looks, outlines, forms } = made;
-    this.materials = made.materials;
-    this.outlines = outlines;
-    this.skipped = made.skipped;
-    const meshes = looks.map(({ mesh }) => mesh);
-    this.releaseMeshes = claimMeshes(meshes);
-    this.hideDetail = made.showDetail?.();
-    this.changes = looks.map((after) => ({ before: lookOf(after.mesh), after }));
-    this.held = new Set(meshes.map(identityOf));
-    for (const { before, after } of this.changes) exchangeLook(before, after);
-    for (const child of outlines) child.mesh?.add(child);
-    forms?.start(looks);
-    for (const mesh of meshes) {
-      for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce?.(mesh);
-    }
+  /** @param options as they were passed, without those of the preset @internal */
+  constructor(
+    private readonly root: Object3D,
+    { signal, onProgress, ...options }: ApplyHatchingOptions,
+    private readonly makers: LookMakers,
+  ) {
+    this.given = options;
+    this.style = styleOf(options);
+  }
+
+  /** All new materials; you may change them. */
+  get materials(): readonly HatchingMaterial[] {
+    return this.hatchingMaterials;
+  }
+
+  /** The outlines of all meshes, if requested; you may change their materials. */
+  get outlines(): readonly HatchingOutlines[] {
+    return this.ownOutlines;
+  }
+
+  /** Meshes that were left alone, or have no outlines, as of the last change. */
+  get skipped(): readonly SkippedMesh[] {
+    const without = [...this.parts.values()].flatMap((part) => part.without ?? []);
+    return [...this.leftOut, ...without];
+  }
+
+  /**
+   * The colour of the paper, to clear the canvas with: `scene.background = hatched.background`. It is one object, which `setPreset`
+   * changes.
+   */
+  get background(): Color {
+    return this.paper.set(this.presentPaper);
+  }
+
+  /** The material that a mesh is hatched with, or the materials in the order of its own; undefined if the mesh is not hatched. */
+  materialOf(mesh: Mesh): HatchingMaterial | (HatchingMaterial | Material)[] | undefined {
+    return this.partOf(mesh)?.after.material as HatchingMaterial | Material[] | undefined;
+  }
+
+  /** The outlines of a mesh; undefined if it has none. */
+  outlineOf(mesh: Mesh): HatchingOutlines | undefined {
+    return this.partOf(mesh)?.outlines ?? undefined;
+  }
+
+  /**
+   * Hatches what was added below the root, or was given another geometry or material, and releases what is no longer below it. Nothing
+   * changes before everything is ready. The promise resolves with this scene. A later call for the same root ends this one: then it is
+   * rejected with an `AbortError`.
+   */
+  update(task: HatchingTask = {}): Promise<this> {
+    // What setPreset has begun is completed.
+    return this.change(() => this.wanted, task);
+  }
+
+  /**
+   * Gives the scene another look, in place: meshes keep their hatched materials, with other values, and what you have changed on them
+   * and on the materials of the scene stays, also on parts that are not below the root at present. Does all that `update` does. The
+   * other options stay those of before, unless `options` has others.
+   *
+   *     await hatched.setPreset('chalk');
+   *     await hatched.setPreset({ preset: 'pen', material: { ink: 'navy' }, outlines: false });
+   *
+   * Nothing changes before everything is ready. A later call for the same root ends this one: then it is rejected with an
+   * `AbortError`.
+   *
+   * @param look a preset, or options in place of `preset`, `material`, `outlines` and `tonalArtMap` of before
+   */
+  setPreset(
+    look: PresetName | HatchingPreset | ApplyHatchingOptions,
+    options: ApplyHatchingOptions = {},
+  ): Promise<this> {
+    const { signal, onProgress, ...chosen } = lookOptions(look, options);
+    const { preset, material, outlines, tonalArtMap, ...others } = this.wanted ?? this.given;
+    return this.change(() => ({ ...others, ...chosen }), { signal, onProgress });
+  }
+
+  /**
+   * Gives the meshes at or below an object their former geometries and materials back, and frees what only they need: geometries,
+   * textures, outlines and materials. `update` hatches them again if they are still below the root and `userData.hatching` is not false.
+   */
+  release(part: Object3D): void {
+    part.traverse((object) => {
+      if (!('isMesh' in object)) return;
+      this.released.add(identityOf(object));
+      const held = this.partOf(object as Mesh);
+      if (held) this.takeOff(held);
+      this.leftOut = this.leftOut.filter(({ mesh }) => identityOf(mesh) !== identityOf(object));
+    });
+    this.sweep();
   }
 
   /**
@@ -79,68 +174,290 @@ export class HatchedScene {
    * wait for, it resolves at once. It never rejects: if a form could not be baked, the console says why. `restore()` stops the bake.
    */
   get formReady(): Promise<readonly Mesh[]> {
-    return Promise.resolve(this.made.forms?.ready).then(() => this.formed);
+    return Promise.all(this.batches.map(({ forms }) => forms?.ready)).then(() => this.formed);
   }
 
   /** The meshes that were given another geometry so far. @internal */
   get formed(): readonly Mesh[] {
-    return this.made.forms?.meshes ?? [];
+    return this.batches.flatMap(({ forms }) => forms?.meshes ?? []);
   }
 
   /**
    * Gives every mesh back its former geometry and material, and removes its outlines. A geometry or material that you have set since
-   * stays. A second call does nothing. The new geometries and materials stay usable until `dispose()`.
+   * stays. A second call does nothing. The new geometries and materials stay usable until `dispose()`, and `update()` draws with them
+   * again.
    */
   restore(): void {
-    this.made.forms?.stop();
-    for (const child of this.outlines) child.removeFromParent();
-    for (const { before, after } of this.changes) exchangeLook(after, before);
-    this.changes = [];
-    this.held = new Set();
-    this.hideDetail?.();
-    this.releaseMeshes();
+    this.underWay?.giveWay();
+    for (const part of this.parts.values()) this.takeOff(part);
+    for (const { forms } of this.batches) forms?.stop();
   }
 
-  /** Restores the meshes, and frees all new geometries, materials and outlines, and a map that was generated for this call. */
+  /** Restores the meshes, and frees all new geometries, materials and outlines, and a map that was generated for this scene. */
   dispose(): void {
     this.restore();
-    for (const disposable of this.made.disposables.splice(0)) disposable.dispose();
-  }
-
-  /**
-   * Copies changes from the materials that were replaced: colour, opacity, maps, emission, visibility, sides, wireframe, fog, clipping,
-   * depth and stencil. Parameters that you passed, and values that you have set on the new material, stay. A mesh whose former material
-   * or geometry was set back, as by helpers that swap materials for a moment, gets its new look again.
-   *
-   * Call it before a frame if your code changes the former materials; `<Hatched>` does so. It costs a comparison per property.
-   */
-  follow(): void {
-    for (const follower of this.made.followers) follower.follow();
-    for (const { before, after } of this.changes) {
-      const { mesh, geometry, material } = after;
-      if (mesh.geometry !== geometry || mesh.material !== material) exchangeLook(before, after);
-    }
+    this.isDisposed = true;
+    this.sweep();
+    this.freeSpent();
+    for (const one of this.style.disposables.splice(0)) one.dispose();
   }
 
   /** Whether `mesh` is among the hatched meshes. @internal */
   holds(mesh: Mesh): boolean {
-    return this.held.has(identityOf(mesh));
+    return this.parts.has(identityOf(mesh));
   }
 
-  /** Runs a function while the meshes have their former geometries and materials. @internal */
-  suspended<Result>(work: () => Result): Result {
-    for (const { before, after } of this.changes) exchangeLook(after, before);
+  /** Makes the meshes hatched for the first time. @internal */
+  async begin(call: CallUnderWay): Promise<this> {
+    return this.run(call, this.style, true);
+  }
+
+  private partOf(mesh: Mesh): Part | undefined {
+    return this.parts.get(identityOf(mesh));
+  }
+
+  private get presentPaper(): Color | string | number {
+    const [first] = this.hatchingMaterials;
+    if (first) return first.paper;
+    const { material } = this.style.options;
+    const paper = typeof material === 'object' ? material.paper : undefined;
+    return (paper as Color | string | number | undefined) ?? HATCHING_DEFAULTS.paper;
+  }
+
+  /** @param restyleWith returns the options of another look; null keeps the present one */
+  private change(restyleWith: () => ApplyHatchingOptions | null, { signal, onProgress }: HatchingTask): Promise<this> {
+    try {
+      if (this.isDisposed) throw new Error('HatchedScene: it was disposed of. Call applyHatching again.');
+      const restyle = restyleWith();
+      const style = restyle ? styleOf(restyle) : this.style;
+      const isNew = restyle !== null;
+      const holder: MeshHolder = {
+        holds: (mesh) => this.holds(mesh),
+        keeps: (mesh) => !isNew && isAsHatched(this.partOf(mesh)!),
+      };
+      const detached = [...this.parts.values()].filter(({ mesh }) => isNew && !isBelow(mesh, this.root));
+      const options = { ...style.options, signal, onProgress };
+      const call = beginCall(
+        this.root,
+        options,
+        holder,
+        detached.map(({ mesh }) => mesh),
+      );
+      this.wanted = restyle;
+      return call.promised(this.run(call, style));
+    } catch (error) {
+      return Promise.reject(error);
+    }
+  }
+
+  /** Makes what a call needs, and shows it. */
+  private async run(call: CallUnderWay, style: SceneStyle, isFirst = false): Promise<this> {
+    this.underWay = call;
+    this.released.clear();
+    const { wanted } = this;
+    const change = wanted ? new StyleChange(this.style, wanted) : null;
+    try {
+      const prepared = await prepareLooks(call, this.makers, {
+        style,
+        reusable: this.baked,
+        mustHatch: isFirst || change !== null,
+        isDetached: (mesh) => !isBelow(mesh, this.root),
+        fieldFrameOf: (mesh) => this.partOf(mesh)?.after.fieldFrame,
+        takeEdits: (added) => change?.takeEdits(added),
+        asBefore: (work) => this.suspended(work),
+      });
+      call.end();
+      if (wanted) this.given = wanted;
+      this.show(call.choice, prepared, style, change);
+      return this;
+    } finally {
+      call.end();
+      if (this.underWay === call) {
+        this.underWay = null;
+        this.wanted = null;
+      }
+    }
+  }
+
+  /** Shows the new looks, all at once, and takes what is gone off the scene. */
+  private show(
+    choice: ChosenMeshes,
+    prepared: PreparedCall | null,
+    style: SceneStyle,
+    change: StyleChange | null,
+  ): void {
+    const { made, outlineMaker = null, madeMaps = [] } = prepared ?? {};
+    const former = this.style;
+    this.freeSpent();
+    const { inPlaceOf, spent } = change?.finish(outlineMaker) ?? { inPlaceOf: new Map(), spent: [] };
+    this.spent = spent;
+    const looks = (made?.looks ?? []).filter(({ mesh }) => !this.released.has(identityOf(mesh)));
+    for (const look of looks) look.material = replaced(look.material, inPlaceOf);
+
+    const kept = new Set(choice.kept.map(identityOf));
+    const outlined = new Map<object, HatchingOutlines>();
+    for (const [key, part] of this.parts) {
+      if (kept.has(key)) exchangeLook(part.before, part.after);
+      else {
+        if (part.outlines) outlined.set(key, part.outlines);
+        this.takeOff(part);
+      }
+    }
+
+    this.style = style;
+    if (made) this.take(made, looks, madeMaps);
+    if (outlineMaker) style.outlineMaker = outlineMaker;
+    const batch: Batch = {
+      geometries: made?.geometries ?? new Set(),
+      forms: made?.forms ?? null,
+      hideDetail: made?.showDetail?.(),
+    };
+    this.batches.push(batch);
+    for (const after of looks) this.putOn(after, batch);
+    for (const one of outlineMaker?.outlines ?? []) this.addOutlines(one, outlined, inPlaceOf);
+    for (const one of outlineMaker?.without ?? []) {
+      const part = this.partOf(one.mesh);
+      if (part) part.without = one;
+    }
+    this.ownGeometries(batch);
+    this.leftOut = [...choice.skipped, ...(made?.failed ?? [])];
+    if (change) this.free(former);
+    this.sweep();
+    batch.forms?.start(looks, inPlaceOf as ReadonlyMap<Material, HatchingMaterial>);
+    for (const { mesh } of looks) {
+      for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce?.(mesh);
+    }
+  }
+
+  /** Takes over what was made for a look. */
+  private take(made: MadeLooks, looks: readonly MeshLook[], madeMaps: { dispose(): void }[]): void {
+    const { style } = this;
+    for (const [key, one] of made.replacements) {
+      style.replacements.set(key, one);
+      one.start();
+    }
+    for (const [name, map] of made.maps) style.maps.set(name, map);
+    style.disposables.push(...madeMaps);
+    for (const [source, one] of made.baked) this.baked.set(source, one);
+    if (style.measures) for (const look of looks) growExtent(style.measures.extent, look);
+    else if (looks.length > 0) style.measures = made.measures;
+  }
+
+  private putOn(after: MeshLook, batch: Batch): void {
+    const { mesh } = after;
+    const before = lookOf(mesh);
+    exchangeLook(before, after);
+    const unclaim = claimMeshes([mesh]);
+    this.parts.set(identityOf(mesh), { mesh, before, after, batch, outlines: null, without: undefined, unclaim });
+  }
+
+  /** Adds outlines to their mesh. Outlines that the mesh had before stay in use. */
+  private addOutlines(
+    made: HatchingOutlines,
+    outlined: ReadonlyMap<object, HatchingOutlines>,
+    inPlaceOf: InPlaceOf,
+  ): void {
+    const mesh = made.mesh!;
+    const part = this.partOf(mesh);
+    if (!part) {
+      made.dispose();
+      return;
+    }
+    const former = outlined.get(identityOf(mesh));
+    part.outlines = former ?? made;
+    if (former) {
+      if (!inPlaceOf.has(made.material)) former.material = made.material;
+      made.dispose();
+    } else made.material = (inPlaceOf.get(made.material) ?? made.material) as HatchingOutlines['material'];
+    mesh.add(part.outlines);
+  }
+
+  /** Takes over geometries in use that were baked earlier, and whose other users have been released in the meantime. */
+  private ownGeometries({ geometries }: Batch): void {
+    const owned = new Set(this.batches.flatMap((batch) => [...batch.geometries]));
+    const used = this.usedGeometries;
+    for (const { geometry } of this.baked.values())
+      if (used.has(geometry) && !owned.has(geometry)) geometries.add(geometry);
+  }
+
+  /** Gives a mesh its former look back. */
+  private takeOff({ mesh, before, after, batch, outlines, unclaim }: Part): void {
+    outlines?.removeFromParent();
+    exchangeLook(after, before);
+    batch.hideDetail?.(mesh);
+    batch.forms?.release(mesh);
+    unclaim();
+    this.parts.delete(identityOf(mesh));
+  }
+
+  private get usedGeometries(): ReadonlySet<BufferGeometry> {
+    return new Set([...this.parts.values()].map(({ after }) => after.geometry));
+  }
+
+  /** Frees what no mesh needs any more. */
+  private sweep(): void {
+    const { style, usedGeometries } = this;
+    const parts = [...this.parts.values()];
+    const materials = new Set(parts.flatMap(({ after }) => after.material));
+    for (const [key, one] of style.replacements) {
+      if (materials.has(one.material)) continue;
+      one.stop();
+      one.material.dispose();
+      style.replacements.delete(key);
+    }
+    for (const [surface, { material }] of style.outlineMaker?.looks ?? []) {
+      if (materials.has(surface)) continue;
+      material.dispose();
+      style.outlineMaker?.looks.delete(surface);
+    }
+    const outlines = new Set(parts.flatMap((part) => part.outlines ?? []));
+    for (const one of this.ownOutlines) if (!outlines.has(one)) one.dispose();
+    for (const { geometries } of this.batches) {
+      for (const geometry of geometries) {
+        if (usedGeometries.has(geometry)) continue;
+        geometry.dispose();
+        geometries.delete(geometry);
+      }
+    }
+    for (const [source, { geometry }] of this.baked) if (!usedGeometries.has(geometry)) this.baked.delete(source);
+    this.batches = this.batches.filter((batch) => parts.some((part) => part.batch === batch));
+    this.hatchingMaterials = [...style.replacements.values()].map(({ material }) => material);
+    this.ownOutlines = [...outlines];
+  }
+
+  /** Frees what is left of a former look. */
+  private free({ replacements, outlineMaker, disposables }: SceneStyle): void {
+    const held = new Set<Material>([...this.style.replacements.values()].map(({ material }) => material));
+    for (const one of replacements.values()) {
+      if (held.has(one.material)) continue;
+      one.stop();
+      one.material.dispose();
+    }
+    const drawing = new Set([...(this.style.outlineMaker?.looks.values() ?? [])].map(({ material }) => material));
+    for (const { material } of outlineMaker?.looks.values() ?? []) if (!drawing.has(material)) material.dispose();
+    for (const one of disposables) one.dispose();
+  }
+
+  private freeSpent(): void {
+    for (const material of this.spent.splice(0)) material.dispose();
+  }
+
+  /** Runs a function while the meshes have their former geometries and materials. */
+  private suspended<Result>(work: () => Result): Result {
+    const parts = [...this.parts.values()];
+    for (const { before, after } of parts) exchangeLook(after, before);
     try {
       return work();
     } finally {
-      for (const { before, after } of this.changes) exchangeLook(before, after);
+      for (const { before, after } of parts) exchangeLook(before, after);
     }
   }
 }
 
-interface LookChange {
-  readonly before: MeshLook;
-  readonly after: MeshLook;
+/** Separates the options that a scene keeps from those of one call. */
+function styleOf(given: ApplyHatchingOptions): SceneStyle {
+  const { signal, onProgress, ...options } = resolveOptions(given);
+  return { options, replacements: new Map(), maps: new Map(), outlineMaker: null, measures: null, disposables: [] };
 }
 
 const lookOf = (mesh: Mesh): MeshLook => ({
@@ -160,4 +477,22 @@ function exchangeLook(from: MeshLook, to: MeshLook): void {
 }
 
 /** Whether two objects are the same, or proxies of the same object. */
-const isSame = (a: object, b: object): boolean => a === b || identityOf(a) === identityOf(b);
+const isSame = (a: object | null, b: object | null): boolean =>
+  a === b || (!!a && !!b && identityOf(a) === identityOf(b));
+
+/** Whether a mesh still has its hatched look, or had its former one set back, or another one that is hatched, too. */
+function isAsHatched({ mesh, before, after }: Part): boolean {
+  const { geometry } = mesh;
+  const isKnown = isSame(geometry, after.geometry) || isSame(geometry, before.geometry);
+  if (!isKnown && !(geometry && hatchNormal.name in geometry.attributes)) return false;
+  if (isSame(mesh.material, after.material) || isSame(mesh.material, before.material)) return true;
+  return materialsOf(mesh).every(isHatching);
+}
+
+function isBelow(object: Object3D, root: Object3D): boolean {
+  for (let above: Object3D | null = object; above !== null; above = above.parent) if (isSame(above, root)) return true;
+  return false;
+}
+
+const replaced = (material: Material | Material[], inPlaceOf: InPlaceOf): Material | Material[] =>
+  Array.isArray(material) ? material.map((one) => inPlaceOf.get(one) ?? one) : (inPlaceOf.get(material) ?? material);

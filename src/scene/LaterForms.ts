@@ -1,4 +1,4 @@
-import type { BufferAttribute, BufferGeometry, Mesh } from 'three';
+import type { BufferAttribute, BufferGeometry, Material, Mesh } from 'three';
 import { warn } from '../material/diagnostics/warn.js';
 import { watchFormAngle } from '../material/geometry/formAngles.js';
 import { expectForm, isFormed } from '../material/geometry/formGeometry.js';
@@ -22,7 +22,7 @@ import {
   type MeshLook,
   type PlannedMesh,
 } from './geometryPlans.js';
-import type { MakeLevels } from './levelMaker.js';
+import type { HideDetail, MakeLevels } from './levelMaker.js';
 import { isBatched } from './surfaceMeshes.js';
 
 /** The time in milliseconds for which an angle must stay unchanged before lines are baked at it: a slider may still be moving. */
@@ -34,8 +34,8 @@ type Plans = ReadonlyMap<BufferGeometry, GeometryPlan>;
 interface CallParts {
   onFormProgress?: ((progress: number) => void) | undefined;
   invalidate?: (() => void) | undefined;
-  /** Holds the geometries in use. */
-  disposables: { dispose(): void }[];
+  /** The geometries that were made: those in use, and none else. */
+  geometries: Set<BufferGeometry>;
   firstFrame: FirstFrame | null;
   detail: MakeLevels | null;
 }
@@ -50,7 +50,7 @@ interface Field {
   /** Whether the field of `drawn` is missing, or has another angle. */
   isAwaited: boolean;
   /** Ends the drawing of levels of detail, if there are any. */
-  hideDetail?: (() => void) | undefined;
+  hideDetail?: HideDetail | undefined;
 }
 
 /**
@@ -71,8 +71,8 @@ export class LaterForms {
   readonly atOnce: Plans;
   /** Resolves when no bake is running. */
   ready: Promise<void> = Promise.resolve();
-  private readonly fields: Field[] = [];
-  private looks: readonly MeshLook[] = [];
+  private fields: Field[] = [];
+  private looks: MeshLook[] = [];
   /** The looks that were given another geometry. */
   private readonly changed = new Set<MeshLook>();
   private readonly stopping = new AbortController();
@@ -86,7 +86,7 @@ export class LaterForms {
    */
   constructor(
     private readonly plans: Plans,
-    private readonly materials: ReadonlyMap<BufferGeometry, HatchingMaterial>,
+    private readonly materials: Map<BufferGeometry, HatchingMaterial>,
     private readonly prepare: PrepareHatchingGeometryOptions,
     private readonly call: CallParts,
   ) {
@@ -111,15 +111,22 @@ export class LaterForms {
       const isAwaited = isLater(source, plan);
       if (isAwaited) expectForm(drawn);
       else if (!isFormed(drawn)) continue;
-      const field = { source, plan, drawn, isAwaited };
-      this.fields.push(field);
-      this.watch(field);
+      this.fields.push({ source, plan, drawn, isAwaited });
     }
   }
 
-  /** Starts the bakes. @param looks the looks of the meshes, whose geometries will be replaced */
-  start(looks: readonly MeshLook[]): void {
-    this.looks = looks;
+  /**
+   * Starts the bakes.
+   *
+   * @param looks the looks of the meshes, whose geometries will be replaced
+   * @param inPlaceOf the materials that draw instead of those that were planned
+   */
+  start(looks: readonly MeshLook[], inPlaceOf: ReadonlyMap<Material, HatchingMaterial>): void {
+    this.looks = [...looks];
+    for (const [geometry, material] of this.materials) {
+      this.materials.set(geometry, inPlaceOf.get(material) ?? material);
+    }
+    for (const field of this.fields) this.watch(field);
     this.prepare.signal?.addEventListener('abort', () => this.stop());
     const awaited = this.fields.filter(({ isAwaited }) => isAwaited);
     if (awaited.length > 0) this.ready = this.bake(awaited, this.stopping.signal, 'lines go by the light');
@@ -133,6 +140,15 @@ export class LaterForms {
       field.hideDetail?.();
       field.hideDetail = undefined;
     }
+  }
+
+  /** Leaves a mesh as it is from now on. */
+  release(mesh: Mesh): void {
+    for (const field of this.fields) field.hideDetail?.(mesh);
+    this.looks = this.looks.filter((look) => look.mesh !== mesh);
+    this.fields = this.fields.filter(({ drawn }) => this.looks.some(({ geometry }) => geometry === drawn));
+    for (const look of this.changed) if (look.mesh === mesh) this.changed.delete(look);
+    if (this.fields.length === 0) this.stop();
   }
 
   /** Watches the angle between crossing lines of a geometry with a field. */
@@ -196,7 +212,7 @@ export class LaterForms {
       sayFailed(error as Error);
     } finally {
       // Those in use are freed with the rest of the call.
-      for (const geometry of made) if (!this.call.disposables.includes(geometry)) geometry.dispose();
+      for (const geometry of made) if (!this.call.geometries.has(geometry)) geometry.dispose();
     }
   }
 
@@ -204,8 +220,8 @@ export class LaterForms {
   private async makeDetail(
     looks: readonly MeshLook[],
     signal: AbortSignal,
-  ): Promise<ReadonlyMap<BufferGeometry, () => () => void>> {
-    const details = new Map<BufferGeometry, () => () => void>();
+  ): Promise<ReadonlyMap<BufferGeometry, () => HideDetail>> {
+    const details = new Map<BufferGeometry, () => HideDetail>();
     const { detail } = this.call;
     if (!detail) return details;
     for (const geometry of new Set(looks.map((look) => look.geometry))) {
@@ -231,7 +247,7 @@ export class LaterForms {
   private async changeOver(
     next: ReadonlyMap<Field, BufferGeometry>,
     signal: AbortSignal,
-    showDetail: ReadonlyMap<BufferGeometry, () => () => void>,
+    showDetail: ReadonlyMap<BufferGeometry, () => HideDetail>,
   ): Promise<void> {
     const { invalidate = () => {} } = this.call;
     const fading = [...next].filter(([{ drawn }]) => !isFormed(drawn));
@@ -240,6 +256,8 @@ export class LaterForms {
     showLines(before);
     signal.throwIfAborted();
     for (const [field, to] of next) {
+      // The meshes may have been released in the meantime.
+      if (!this.fields.includes(field)) continue;
       this.exchange(field.drawn, to);
       field.hideDetail?.();
       field.hideDetail = showDetail.get(to)?.();
@@ -263,8 +281,9 @@ export class LaterForms {
       if (isSame(look.mesh.geometry, from)) look.mesh.geometry = to;
       this.changed.add(look);
     }
-    const { disposables } = this.call;
-    disposables[disposables.indexOf(from)] = to;
+    const { geometries } = this.call;
+    geometries.delete(from);
+    geometries.add(to);
     from.dispose();
   }
 }

@@ -1,6 +1,6 @@
 import { type BufferAttribute, BufferGeometry, type Mesh } from 'three';
 import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
-import type { SkippedMesh } from './HatchedScene.js';
+import type { SkippedMesh } from './SkippedMesh.js';
 
 /** A mesh that receives occlusion. */
 interface OccludedMesh {

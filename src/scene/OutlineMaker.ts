@@ -9,10 +9,12 @@ import type {
 } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import type { MeshOutlines } from '../material/outlines/MeshOutlines.js';
+import { HATCHING_OUTLINE_DEFAULTS } from '../material/outlines/outlineProperties.js';
 import { isCutOut } from '../material/outlines/surfaceRules.js';
+import { GivenValues } from './GivenValues.js';
 import type { MeshLook } from './geometryPlans.js';
-import type { SkippedMesh } from './HatchedScene.js';
-import { isBatched, materialsOf } from './surfaceMeshes.js';
+import type { SkippedMesh } from './SkippedMesh.js';
+import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';
 
 /** Whether outlines would follow the geometry, and not the visible shape that the material's cut-out or fading leaves. */
 function isWiderThanSeen(material: Material & { alphaMap?: unknown }): boolean {
@@ -38,7 +40,19 @@ export interface OutlineKind<Look extends Material, Drawn> {
   outlines(mesh: Mesh | null, material: Look): Drawn;
 }
 
-/** Makes the outlines of a scene. Meshes that deform share a material of their own, since they need another program. */
+/** The material of outlines, and the values that it was given. */
+export interface OutlineLook<Look extends Material> {
+  readonly material: Look;
+  readonly given: GivenValues;
+}
+
+/** The properties of outline materials that a user may change. */
+const EDITABLE = [...Object.keys(HATCHING_OUTLINE_DEFAULTS), 'opacity', 'visible', 'fog', 'blending', 'toneMapped'];
+
+/**
+ * Makes the outlines of a scene. Outlines share a material where their surfaces do, so that what is set on all materials of a part
+ * changes nothing elsewhere.
+ */
 export class OutlineMaker<
   Look extends Material = HatchingOutlineMaterial,
   Drawn extends MeshOutlines = HatchingOutlines,
@@ -46,19 +60,31 @@ export class OutlineMaker<
   /** The options that decide which edges are creases. */
   readonly creases: OutlineOptions;
   private readonly parameters: HatchingOutlineParameters;
-  private readonly materials = new Map<boolean, Look>();
+  /** The materials of outlines, by those of their surfaces. */
+  readonly looks: Map<Material, OutlineLook<Look>>;
+  private readonly added: Look[] = [];
   private readonly made: Drawn[] = [];
   /** The meshes that are hatched without outlines, with the reason. */
   readonly without: SkippedMesh[] = [];
+  private sample: Drawn | null = null;
 
+  /** @param known the materials of outlines that exist already */
   constructor(
-    { featureAngle, creaseLength, ...parameters }: OutlineOptions & HatchingOutlineParameters,
+    options: OutlineOptions & HatchingOutlineParameters,
     private readonly kind: OutlineKind<Look, Drawn>,
+    known: ReadonlyMap<Material, OutlineLook<Look>> = new Map(),
   ) {
+    const { featureAngle, creaseLength, ...parameters } = options;
     this.creases = { featureAngle, creaseLength };
     this.parameters = parameters;
+    this.looks = new Map(known);
     // Wrong parameters throw here, before anything is baked.
-    this.materialFor(false);
+    if (known.size === 0) this.makeSample();
+  }
+
+  /** Makes further outlines, with the same materials. */
+  next(): OutlineMaker<Look, Drawn> {
+    return new OutlineMaker({ ...this.creases, ...this.parameters }, this.kind, this.looks);
   }
 
   /**
@@ -75,13 +101,13 @@ export class OutlineMaker<
       this.leaveOut(mesh, 'they would be drawn where its picture or its opacity cuts it away');
       return;
     }
-    const outlines = this.kind.outlines(mesh, this.materialFor(deforms(geometry, mesh)));
-    this.made.push(outlines);
+    const surface = materialsOf({ material }).find(isHatching)!;
+    this.made.push(this.kind.outlines(mesh, this.materialFor(surface, deforms(geometry, mesh))));
   }
 
   /** Outlines without a mesh, with which the program of outlines is compiled. */
   get samples(): readonly Drawn[] {
-    return [this.kind.outlines(null, this.materialFor(false))];
+    return [this.sample ?? this.makeSample()];
   }
 
   /** All outlines made so far. */
@@ -91,19 +117,34 @@ export class OutlineMaker<
 
   dispose(): void {
     for (const outlines of this.made) outlines.dispose();
-    for (const material of this.materials.values()) material.dispose();
+    for (const material of this.added) material.dispose();
+    this.forgetSample();
+  }
+
+  /** Frees what only `samples` needs. */
+  forgetSample(): void {
+    this.sample?.material.dispose();
+    this.sample?.dispose();
+    this.sample = null;
   }
 
   private leaveOut(mesh: Mesh, why: string): void {
     this.without.push({ mesh, reason: `The ${describeObject(mesh)} is hatched without outlines: ${why}.` });
   }
 
-  private materialFor(isDeforming: boolean): Look {
-    let material = this.materials.get(isDeforming);
-    if (!material) {
-      material = this.kind.material(this.parameters, isDeforming);
-      this.materials.set(isDeforming, material);
+  private makeSample(): Drawn {
+    this.sample = this.kind.outlines(null, this.kind.material(this.parameters, false));
+    return this.sample;
+  }
+
+  private materialFor(surface: Material, isDeforming: boolean): Look {
+    let look = this.looks.get(surface);
+    if (!look) {
+      const material = this.kind.material(this.parameters, isDeforming);
+      look = { material, given: new GivenValues(material, EDITABLE) };
+      this.looks.set(surface, look);
+      this.added.push(material);
     }
-    return material;
+    return look.material;
   }
 }

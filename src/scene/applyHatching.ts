@@ -2,13 +2,14 @@ import type { Object3D } from 'three';
 import { mustBeAwaited } from '../material/diagnostics/warn.js';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { fetchPartsOf } from '../material/parts/parts.js';
-import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
+import { lookOptions } from './applyOptions.js';
 import type { HatchedScene } from './HatchedScene.js';
 import { hatchScene, type LookMakers } from './hatchScene.js';
 import type { PresetName } from './presets.js';
 
 /** Properties of the result that users read first. */
-const FIRST_READ = ['materials', 'outlines', 'skipped', 'restore', 'dispose'] as const;
+const FIRST_READ = ['materials', 'outlines', 'skipped', 'update', 'setPreset', 'restore', 'dispose'] as const;
 
 const IN_GLSL: LookMakers = {
   material: () => new HatchingMaterial(),
@@ -56,6 +57,10 @@ const IN_GLSL: LookMakers = {
  * - with the error of the map or of a parameter;
  * - with the signal's reason when aborted.
  */
-export function applyHatching(root: Object3D, options: ApplyHatchingOptions | PresetName = {}): Promise<HatchedScene> {
-  return mustBeAwaited(hatchScene(root, options, IN_GLSL), 'applyHatching()', FIRST_READ);
+export function applyHatching(
+  root: Object3D,
+  look: PresetName | HatchingPreset | ApplyHatchingOptions = {},
+  options: ApplyHatchingOptions = {},
+): Promise<HatchedScene> {
+  return mustBeAwaited(hatchScene(root, lookOptions(look, options), IN_GLSL), 'applyHatching()', FIRST_READ);
 }

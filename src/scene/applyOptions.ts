@@ -6,8 +6,7 @@ import {
 import { checkTonalArtMap, isTonalArtMap } from '../material/propertyValues.js';
 import { checkHatchImageOptions } from '../material/tam/checkHatchImageOptions.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
-import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
-import type { HatchedScene } from './HatchedScene.js';
+import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
 import type { PresetName } from './presets.js';
 import { withPreset } from './presets.js';
 
@@ -22,7 +21,6 @@ const OWN_OPTIONS = {
   onFormProgress: true,
   invalidate: true,
   preset: true,
-  replaces: true,
   renderer: true,
   camera: true,
 } satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;
@@ -32,12 +30,27 @@ const OWN_OPTIONS = {
  *
  * @throws RangeError or TypeError that names the wrong option
  */
-export function resolveOptions(given: ApplyHatchingOptions | PresetName): ApplyHatchingOptions {
-  const named: ApplyHatchingOptions = typeof given === 'string' ? { preset: given } : given;
-  checkPrepareOptions('applyHatching', named, OWN_OPTIONS);
-  const options = named.preset === undefined ? named : withPreset(named.preset, named);
+export function resolveOptions(given: ApplyHatchingOptions): ApplyHatchingOptions {
+  checkPrepareOptions('applyHatching', given, OWN_OPTIONS);
+  const options = given.preset === undefined ? given : withPreset(given.preset, given);
   checkOwnOptions(options);
   return options;
+}
+
+/** The keys of a preset. */
+const OF_PRESET: readonly string[] = ['material', 'outlines', 'tonalArtMap'] satisfies (keyof HatchingPreset)[];
+
+/** The options for a look, a preset or options, and for further options, which override it. */
+export function lookOptions(
+  look: PresetName | HatchingPreset | ApplyHatchingOptions,
+  options: ApplyHatchingOptions = {},
+): ApplyHatchingOptions {
+  const isPreset =
+    typeof look === 'string' ||
+    (isObject(look) && OF_PRESET.every((key) => key in look) && Object.keys(look).length === OF_PRESET.length);
+  if (isPreset) return { ...options, preset: look as PresetName | HatchingPreset };
+  // Anything else that is no object is reported as wrong options.
+  return isObject(look) ? { ...(look as ApplyHatchingOptions), ...options } : (look as never);
 }
 
 /** The options that are passed on to `prepareHatchingGeometry`. */
@@ -49,11 +62,6 @@ const isObject = (value: unknown): boolean => typeof value === 'object' && value
 
 /** Options that are checked by themselves: what a value must be. */
 const RULES: readonly [keyof ApplyHatchingOptions, isRight: (value: unknown) => boolean, rule: string][] = [
-  [
-    'replaces',
-    (value) => (value as HatchedScene | null)?.isHatchedScene === true,
-    'the result of an earlier call, or left out',
-  ],
   ['filter', isFunction, 'a function of a mesh, or left out'],
   ['onGeometry', isFunction, 'a function of two numbers, or left out'],
   ['onFormProgress', isFunction, 'a function, or left out'],

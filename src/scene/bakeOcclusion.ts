@@ -7,9 +7,9 @@ import { runTask } from '../worker/runTask.js';
 import { checkOptions, maxWorkers, type TaskOptions } from '../worker/TaskOptions.js';
 import { assertTree } from './assertTree.js';
 import { failure } from './chooseMeshes.js';
-import type { SkippedMesh } from './HatchedScene.js';
 import { hasRoom, OcclusionBake } from './OcclusionBake.js';
 import { OcclusionLanes } from './OcclusionLanes.js';
+import type { SkippedMesh } from './SkippedMesh.js';
 import { isBatched, materialsOf, surfaceMeshes } from './surfaceMeshes.js';
 import { worldMatrices } from './worldMatrices.js';
 

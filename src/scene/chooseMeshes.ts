@@ -1,7 +1,7 @@
 import type { Mesh } from 'three';
 import { describeObject } from '../material/diagnostics/describeObject.js';
-import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
 import { leftAlone } from './leftAlone.js';
+import type { SkippedMesh } from './SkippedMesh.js';
 import { isClaimed } from './surfaceMeshes.js';
 
 /** The greatest number of meshes that an error names. */
@@ -10,39 +10,41 @@ const MAX_NAMED = 3;
 /** The meshes of a scene, divided into those to hatch and the others. */
 export interface ChosenMeshes {
   chosen: Mesh[];
+  /** Meshes that stay hatched as they are. */
+  kept: Mesh[];
   /** Meshes that are left alone on purpose. */
   skipped: SkippedMesh[];
-  /** Meshes that are hatched already, or are being hatched. They are among the skipped ones. */
+  /** Meshes that others have hatched, or are hatching. They are among the skipped ones. */
   claimed: Mesh[];
+}
+
+/** What has hatched meshes. */
+export interface MeshHolder {
+  /** Whether it has hatched a mesh. */
+  holds(mesh: Mesh): boolean;
+  /** Whether a mesh that it has hatched stays as it is. */
+  keeps(mesh: Mesh): boolean;
 }
 
 /**
  * Divides meshes into those to hatch and those to leave alone.
  *
- * @param replaces the hatched scene that is replaced: its meshes are hatched again
- * @throws Error that lists the meshes, if there are any and all of them are left alone
+ * @param holder what holds the meshes that are hatched already
  */
-export function chooseMeshes(meshes: readonly Mesh[], replaces: HatchedScene | undefined): ChosenMeshes {
-  const chosen: Mesh[] = [];
-  const skipped: SkippedMesh[] = [];
-  const claimed: Mesh[] = [];
+export function chooseMeshes(meshes: readonly Mesh[], holder: MeshHolder | undefined): ChosenMeshes {
+  const choice: ChosenMeshes = { chosen: [], kept: [], skipped: [], claimed: [] };
   for (const mesh of meshes) {
     const why = leftAlone(mesh);
     if (why !== undefined) {
-      skipped.push({ mesh, reason: `The ${describeObject(mesh)} is left alone: ${why}.` });
-    } else if (isClaimed(mesh) && !replaces?.holds(mesh)) {
-      claimed.push(mesh);
-      skipped.push({ mesh, reason: `The ${describeObject(mesh)} is hatched already, or is being hatched.` });
-    } else chosen.push(mesh);
+      choice.skipped.push({ mesh, reason: `The ${describeObject(mesh)} is left alone: ${why}.` });
+    } else if (holder?.holds(mesh)) {
+      (holder.keeps(mesh) ? choice.kept : choice.chosen).push(mesh);
+    } else if (isClaimed(mesh)) {
+      choice.claimed.push(mesh);
+      choice.skipped.push({ mesh, reason: `The ${describeObject(mesh)} is hatched already, or is being hatched.` });
+    } else choice.chosen.push(mesh);
   }
-  if (chosen.length === 0 && skipped.length > 0) {
-    const remedy =
-      claimed.length > 0
-        ? 'Call restore() or dispose() of the result of the first call, or pass it as replaces.'
-        : 'Set userData.hatching to true on what is to be hatched all the same.';
-    throw new Error(`applyHatching: nothing is left to hatch. ${sentencesOf(skipped)} ${remedy}`);
-  }
-  return { chosen, skipped, claimed };
+  return choice;
 }
 
 /** The reasons of the first few meshes, and the number of further ones. */

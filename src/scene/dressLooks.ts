@@ -1,25 +1,15 @@
-import {
-  Box3,
-  type BufferGeometry,
-  type Material,
-  Matrix4,
-  type Mesh,
-  type Object3D,
-  Sphere,
-  type Vector3,
-} from 'three';
+import { Box3, type BufferGeometry, Matrix4, type Mesh, type Object3D, Sphere, type Vector3 } from 'three';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import { SceneExtent } from '../material/fading/SceneExtent.js';
-import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import { cornerLayout } from '../mesh/bake/attributeLayouts.js';
 import { runSliced } from '../mesh/runSliced.js';
-import { type ChosenMeshes, failure, sentencesOf } from './chooseMeshes.js';
+import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import { failure, sentencesOf } from './chooseMeshes.js';
 import { type MeshLook, needsNoAdjacency, type OldLook, type PlannedMesh } from './geometryPlans.js';
-import { HatchedScene, type SkippedMesh } from './HatchedScene.js';
-import type { HatchingCall } from './HatchingCall.js';
+import type { HatchingCall, MadeLooks, SceneMeasures } from './HatchingCall.js';
 import type { LaterForms } from './LaterForms.js';
 import type { MaterialReplacer } from './MaterialReplacer.js';
-import type { OutlineMaker } from './OutlineMaker.js';
+import type { SkippedMesh } from './SkippedMesh.js';
 import { isBatched } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
@@ -27,7 +17,6 @@ import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** What was planned and made for a call. */
 interface Made {
-  choice: ChosenMeshes;
   unreadable: readonly SkippedMesh[];
   replacer: MaterialReplacer;
   planned: readonly PlannedMesh[];
@@ -35,22 +24,24 @@ interface Made {
   forms: LaterForms | null;
 }
 
+type DressedLooks = Pick<MadeLooks, 'looks' | 'replacements' | 'measures' | 'failed' | 'showDetail'>;
 type OnProgress = ((progress: number) => void) | undefined;
 
-/** Gives looks their sizes, frames of lines, outlines, levels of detail and programs. @returns the function that shows them */
+/** Gives looks their sizes, frames of lines, outlines, levels of detail and programs. */
 export async function dressLooks(
-  { root, options, firstFrame, outlineMaker, detail, disposables, asBefore }: HatchingCall,
-  { choice, unreadable, replacer, planned, baked, forms }: Made,
+  call: HatchingCall,
+  { unreadable, replacer, planned, baked }: Made,
   onFrame: OnProgress,
   onDetail: OnProgress,
-): Promise<() => HatchedScene> {
-  const { signal, tilesPerWorldUnit } = options;
-  const { looks, skipped } = asBefore(() => collectLooks(planned, baked));
-  skipped.push(...unreadable);
-  if (looks.length === 0) assertNoFailure(skipped);
+): Promise<DressedLooks> {
+  const { options, firstFrame, outlineMaker, detail, asBefore, mustHatch } = call;
+  const { signal } = options;
+  const { looks, failed } = asBefore(() => collectLooks(planned, baked));
+  failed.push(...unreadable);
+  if (looks.length === 0 && mustHatch) assertNoFailure(failed);
   signal?.throwIfAborted();
-  const finishing = finishLooks(root, looks, choice.claimed, replacer, { tilesPerWorldUnit, outlineMaker });
-  const outlines = await runSliced(finishing, { signal });
+  const measures = await runSliced(finishLooks(call, looks, replacer), { signal });
+  const outlines = outlineMaker?.outlines ?? [];
   const showDetail = await detail?.(looks, onDetail);
   if (firstFrame) {
     firstFrame.compile(looks, outlines, true);
@@ -61,20 +52,9 @@ export async function dressLooks(
 
   const changed = new Set(asBefore(() => planned.filter(hasChanged)).map(({ mesh }) => mesh));
   const kept = looks.filter(({ mesh }) => !changed.has(mesh));
-  for (const { mesh } of looks) if (changed.has(mesh)) skipped.push(changedMeanwhile(mesh));
-  if (kept.length === 0) assertNoFailure(skipped);
-  const used = new Set<Material>(kept.flatMap(({ material }) => material));
-  return () =>
-    new HatchedScene({
-      looks: kept,
-      materials: replacer.materials.filter((material) => used.has(material)),
-      outlines: outlines.filter(({ mesh }) => !changed.has(mesh!)),
-      skipped: [...choice.skipped, ...skipped, ...(outlineMaker?.without ?? [])],
-      followers: replacer.followers,
-      disposables,
-      forms,
-      showDetail,
-    });
+  for (const { mesh } of looks) if (changed.has(mesh)) failed.push(changedMeanwhile(mesh));
+  if (kept.length === 0 && mustHatch) assertNoFailure(failed);
+  return { looks: kept, replacements: replacer.used, measures, failed, showDetail };
 }
 
 /** The default stroke scale: tiles of the map per radius of the scene. */
@@ -84,17 +64,17 @@ const TILES_PER_RADIUS = 3;
 function collectLooks(
   planned: readonly PlannedMesh[],
   baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>,
-): { looks: MeshLook[]; skipped: SkippedMesh[] } {
+): { looks: MeshLook[]; failed: SkippedMesh[] } {
   const looks: MeshLook[] = [];
-  const skipped: SkippedMesh[] = [];
+  const failed: SkippedMesh[] = [];
   for (const plan of planned) {
     const { mesh, material } = plan;
     const geometry = isBatched(mesh) ? batchGeometry(plan) : baked.get(plan.geometry)!;
-    if (geometry instanceof Error) skipped.push(failure(mesh, geometry));
-    else if (hasChanged(plan)) skipped.push(changedMeanwhile(mesh));
+    if (geometry instanceof Error) failed.push(failure(mesh, geometry));
+    else if (hasChanged(plan)) failed.push(changedMeanwhile(mesh));
     else looks.push({ mesh, geometry, material, fieldFrame: undefined });
   }
-  return { looks, skipped };
+  return { looks, failed };
 }
 
 /** Whether another geometry or material was set on a mesh since. */
@@ -106,7 +86,7 @@ const changedMeanwhile = (mesh: Mesh): SkippedMesh =>
   failure(
     mesh,
     new Error(
-      'applyHatching: it was given another geometry or material while it was being baked. Call applyHatching again.',
+      'applyHatching: it was given another geometry or material while it was being baked. Call update() of the result.',
     ),
   );
 
@@ -123,27 +103,41 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
  * Sets the size of the strokes, and gives every look its coordinate frame and its outlines. It yields after each look, since a scene
  * may have thousands of meshes.
  *
- * @returns the outlines, which are not yet added to the scene
+ * @returns the measures of the scene: those of its look, or new ones
  */
 function* finishLooks(
-  root: Object3D,
+  { root, choice, style, outlineMaker, options, isDetached, fieldFrameOf }: HatchingCall,
   looks: readonly MeshLook[],
-  claimed: readonly Mesh[],
   replacer: MaterialReplacer,
-  { tilesPerWorldUnit, outlineMaker }: { tilesPerWorldUnit: number | undefined; outlineMaker: OutlineMaker | null },
-): Generator<number, readonly HatchingOutlines[], void> {
-  // The strokes of added meshes have the size of those of meshes that are hatched already.
-  const hatchedBefore = claimed.filter((mesh) => isBatched(mesh) || mesh.geometry.boundingSphere !== null);
-  const { center, radius } = yield* sphereAround([...looks, ...hatchedBefore]);
-  replacer.setTilesPerUnit(tilesPerWorldUnit ?? TILES_PER_RADIUS / radius);
-  replacer.setExtent(yield* extentOf(root, [...looks, ...hatchedBefore]));
-  const fieldFrameOf = fieldFrames(root, center);
+): Generator<number, SceneMeasures, void> {
+  const attached = looks.filter(({ mesh }) => !isDetached(mesh));
+  const measures = style.measures ?? (yield* measuresOf(root, attached, choice.claimed, options));
+  replacer.setTilesPerUnit(measures.tilesPerWorldUnit);
+  replacer.setExtent(measures.extent);
+  const frameOf = fieldFrames(root, measures.center);
   for (const look of looks) {
-    look.fieldFrame = fieldFrameOf(look.mesh);
+    look.fieldFrame = isDetached(look.mesh) ? fieldFrameOf(look.mesh) : frameOf(look.mesh);
     outlineMaker?.addOutlines(look);
     yield 0;
   }
-  return outlineMaker?.outlines ?? [];
+  return measures;
+}
+
+/** Measures a scene. Meshes that others have hatched count, so that strokes of all have one size. */
+function* measuresOf(
+  root: Object3D,
+  looks: readonly MeshLook[],
+  claimed: readonly Mesh[],
+  { tilesPerWorldUnit }: ApplyHatchingOptions,
+): Generator<number, SceneMeasures, void> {
+  const hatchedBefore = claimed.filter((mesh) => isBatched(mesh) || mesh.geometry.boundingSphere !== null);
+  const { center, radius } = yield* sphereAround([...looks, ...hatchedBefore]);
+  const extent = new SceneExtent(root);
+  for (const look of [...looks, ...hatchedBefore]) {
+    growExtent(extent, look);
+    yield 0;
+  }
+  return { tilesPerWorldUnit: tilesPerWorldUnit ?? TILES_PER_RADIUS / radius, center, extent };
 }
 
 /** A sphere around all meshes in world space; without meshes the unit sphere. */
@@ -164,18 +158,13 @@ function assertNoFailure(skipped: readonly SkippedMesh[]): void {
   throw new TypeError(`applyHatching: no mesh could be hatched. ${sentencesOf(skipped)}`, { cause: skipped[0].error });
 }
 
-/** The extent of all meshes, in the space of `root`. It yields after each of them. */
-function* extentOf(root: Object3D, looks: readonly (MeshLook | Mesh)[]): Generator<number, SceneExtent, void> {
-  const extent = new SceneExtent(root);
-  const toRoot = root.matrixWorld.clone().invert();
-  for (const look of looks) {
-    const { mesh, geometry } = 'isMesh' in look ? { mesh: look, geometry: look.geometry } : look;
-    const bounds = boundsOf(mesh, geometry);
-    for (const matrix of worldMatrices(mesh))
-      extent.box.union(bounds.clone().applyMatrix4(matrix.clone().premultiply(toRoot)));
-    yield 0;
-  }
-  return extent;
+/** Makes the extent of a scene include a mesh. */
+export function growExtent(extent: SceneExtent, look: MeshLook | Mesh): void {
+  const { mesh, geometry } = 'isMesh' in look ? { mesh: look, geometry: look.geometry } : look;
+  const toRoot = extent.frame.matrixWorld.clone().invert();
+  const bounds = boundsOf(mesh, geometry);
+  for (const matrix of worldMatrices(mesh))
+    extent.box.union(bounds.clone().applyMatrix4(matrix.clone().premultiply(toRoot)));
 }
 
 function boundsOf(mesh: Mesh, { boundingBox, boundingSphere }: Mesh['geometry']): Box3 {

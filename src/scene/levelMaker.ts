@@ -1,4 +1,4 @@
-import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute, Mesh } from 'three';
 import { warn } from '../material/diagnostics/warn.js';
 import { isFormExpected } from '../material/geometry/formGeometry.js';
 import { formLayout, hatchNormal } from '../mesh/bake/attributeLayouts.js';
@@ -66,14 +66,14 @@ function* requestOf(geometry: BufferGeometry, simplifier: string): Generator<num
   return { positions, hatchNormals, uvs, colors, forms, indices, radius: geometry.boundingSphere!.radius, simplifier };
 }
 
-/**
- * Makes levels of looks, and reports its progress in [0, 1]. The returned function starts to draw them; the function that it returns
- * ends it.
- */
+/** Ends the drawing of levels of one mesh, or of all. */
+export type HideDetail = (only?: Mesh) => void;
+
+/** Makes levels of looks, and reports its progress in [0, 1]. The returned function starts to draw them. */
 export type MakeLevels = (
   looks: readonly MeshLook[],
   onProgress?: (progress: number) => void,
-) => Promise<() => () => void>;
+) => Promise<() => HideDetail>;
 
 /**
  * Returns a function that makes levels of all large meshes that can have them, one after the other. If the simplifier cannot be loaded,
@@ -90,7 +90,7 @@ async function drawLevels(
   looks: readonly MeshLook[],
   { simplifier }: DetailOptions,
   options: TaskOptions,
-): Promise<() => () => void> {
+): Promise<() => HideDetail> {
   const leveled = new Map<BufferGeometry, LeveledGeometry>();
   const address = absolute(simplifier);
   const geometries = [...new Set(looks.filter(canHaveLevels).map(({ geometry }) => geometry))];
@@ -107,12 +107,17 @@ async function drawLevels(
   }
   options.onProgress?.(1);
   return () => {
-    const meshes = looks.flatMap(({ mesh, geometry }) => {
+    const meshes = new Map<Mesh, LeveledMesh>();
+    for (const { mesh, geometry } of looks) {
       const levels = leveled.get(geometry);
-      return levels ? [new LeveledMesh(mesh, levels)] : [];
-    });
-    return () => {
-      for (const mesh of meshes) mesh.remove();
+      if (levels) meshes.set(mesh, new LeveledMesh(mesh, levels));
+    }
+    return (only) => {
+      for (const [mesh, one] of meshes) {
+        if (only && only !== mesh) continue;
+        one.remove();
+        meshes.delete(mesh);
+      }
     };
   };
 }

@@ -1,18 +1,22 @@
 /** The code that makes materials, geometries and maps. It is fetched when a scene is hatched; pages need nothing of it before. */
-import type { BufferGeometry, Material, Texture } from 'three';
+import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute, Material, Texture } from 'three';
 import { needsMap } from '../look/queries.js';
+import { isFormExpected } from '../material/geometry/formGeometry.js';
 import type { PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import { runSliced } from '../mesh/runSliced.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
+import type { TaskOptions } from '../worker/TaskOptions.js';
 import { isToBeMade, prepareOptions } from './applyOptions.js';
 import { bakeGeometries, progressParts, stoppedWith } from './bakeGeometries.js';
-import { type ChosenMeshes, failure } from './chooseMeshes.js';
+import { failure } from './chooseMeshes.js';
+import { dressLooks } from './dressLooks.js';
 import { type GeometryPlan, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
-import type { HatchedScene, SkippedMesh } from './HatchedScene.js';
-import type { HatchingCall, OldLooks } from './HatchingCall.js';
+import type { BakedGeometry, HatchingCall, MadeLooks, OldLooks } from './HatchingCall.js';
 import type { LaterForms } from './LaterForms.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import { makeMaps } from './makeMaps.js';
+import type { SkippedMesh } from './SkippedMesh.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
 /** The shares of the progress for parts that only some calls make. The bake has the rest. */
@@ -27,41 +31,117 @@ interface Plans {
   forms: LaterForms | null;
 }
 
-/** Makes the new looks of meshes without changing the scene. @returns the function that shows them */
-export async function makeLooks(call: HatchingCall, old: OldLooks, choice: ChosenMeshes): Promise<() => HatchedScene> {
-  const { options, makers, firstFrame, outlineMaker, disposables } = call;
+/** Makes the new looks of meshes without changing the scene. */
+export async function makeLooks(call: HatchingCall, old: OldLooks): Promise<MadeLooks> {
+  const { options, makers, style, firstFrame, outlineMaker, disposables } = call;
   const { signal, onGeometry, onProgress } = options;
   const prepare = { ...prepareOptions(options), outlines: outlineMaker?.creases ?? false };
-  const { replacer, planned, plans, forms } = await planLooks(call, old, prepare);
+  const geometries = new Set<BufferGeometry>();
+  disposables.push({ dispose: () => disposeAll(geometries) });
+  const { replacer, planned, plans, forms } = await planLooks(call, old, prepare, geometries);
 
-  const named = replacer.materials.filter((material) => typeof material.tonalArtMap === 'string' && needsMap(material));
-  const styles = [...new Set(named.map(({ tonalArtMap }) => tonalArtMap as StrokeStyleName))];
-  const isMapMade = styles.length > 0 && (options.tonalArtMap === undefined || isToBeMade(options.tonalArtMap));
+  const named = replacer.added.filter(({ material }) => typeof material.tonalArtMap === 'string' && needsMap(material));
+  const styles = [...new Set(named.map(({ material }) => material.tonalArtMap as StrokeStyleName))];
+  const missing = styles.filter((one) => !style.maps.has(one));
+  const isMapMade = missing.length > 0 && (options.tonalArtMap === undefined || isToBeMade(options.tonalArtMap));
   const parts = [isMapMade && SHARES.map, firstFrame && SHARES.frame, call.detail && SHARES.detail].map(Number);
   const bakeShare = 1 - parts.reduce((sum, share) => sum + share);
   const [onBake, onMap, onFrame, onDetail] = progressParts(onProgress, [bakeShare, ...parts]);
-  // The code that dresses looks is fetched while geometries are baked.
-  const [baked, maps, { dressLooks }] = await sideBySide(
+  const { reused, rest } = reusableOf(forms?.atOnce ?? plans, call, prepare);
+  const [fresh, maps] = await sideBySide(
     signal,
     (stop) =>
       bakeGeometries(
-        forms?.atOnce ?? plans,
+        rest,
         { ...prepare, onProgress: onBake, signal: stop },
-        { onBaked: (geometry) => disposables.push(geometry), onCount: onGeometry },
+        { onBaked: (geometry) => geometries.add(geometry), onCount: onGeometry },
       ),
-    (stop) => makeMaps(options.tonalArtMap, styles, { ...options, onProgress: onMap, signal: stop }, disposables),
+    (stop) => mapsFor(call, missing, { ...options, onProgress: onMap, signal: stop }),
     async () => {
-      const [dressing] = await Promise.all([
-        import('./dressLooks.js'),
-        ...replacer.materials.map((material) => makers.fetchPartsOf(material)),
-      ]);
+      await Promise.all(replacer.materials.map((material) => makers.fetchPartsOf(material)));
       call.asBefore(() => firstFrame?.compile(planned, outlineMaker?.samples ?? [], false));
-      return dressing;
     },
   );
+  const baked = new Map([...reused, ...fresh]);
   forms?.drawMeanwhile(baked);
-  for (const material of named) material.tonalArtMap = maps.get(material.tonalArtMap as StrokeStyleName) ?? null;
-  return dressLooks(call, { choice, unreadable: old.unreadable, replacer, planned, baked, forms }, onFrame, onDetail);
+  for (const one of named) one.give('tonalArtMap', maps.get(one.material.tonalArtMap as StrokeStyleName) ?? null);
+  const made = { unreadable: old.unreadable, replacer, planned, baked, forms };
+  const dressed = await dressLooks(call, made, onFrame, onDetail);
+  return { ...dressed, maps, geometries, forms, baked: bakesToKeep(baked, forms?.atOnce ?? plans, call, prepare) };
+}
+
+function disposeAll(geometries: Set<BufferGeometry>): void {
+  for (const geometry of geometries) geometry.dispose();
+  geometries.clear();
+}
+
+/** The map of each style: those of the look, and those that it misses. All are the same if an option says which map to take. */
+async function mapsFor(
+  { options: { tonalArtMap }, style, madeMaps }: HatchingCall,
+  missing: readonly StrokeStyleName[],
+  options: TaskOptions,
+): Promise<ReadonlyMap<StrokeStyleName, TonalArtMap | null>> {
+  const [known] = style.maps.values();
+  const made =
+    tonalArtMap !== undefined && known !== undefined
+      ? new Map(missing.map((name) => [name, known]))
+      : await makeMaps(tonalArtMap, missing, options, madeMaps);
+  return new Map([...style.maps, ...made]);
+}
+
+/** Names the bake of a geometry: bakes of one name have the same result. */
+function bakeKey(
+  { index, attributes, morphAttributes, groups }: BufferGeometry,
+  { layout, form, group }: GeometryPlan,
+  { adjacency, creaseAngle, smoothingRadius, weldTolerance, outlines }: PrepareHatchingGeometryOptions,
+): string {
+  const versionOf = (attribute: BufferAttribute | InterleavedBufferAttribute): number =>
+    'data' in attribute ? attribute.data.version : attribute.version;
+  const versions = Object.entries(attributes).map(([name, attribute]) => [name, versionOf(attribute)]);
+  const morphs = Object.entries(morphAttributes).map(([name, all]) => [name, all.map(versionOf)]);
+  const options = { adjacency, creaseAngle, smoothingRadius, weldTolerance, outlines };
+  const touching = group?.parts.map(({ geometry, matrix }) => [
+    geometry.uuid,
+    versionOf(geometry.attributes.position),
+    matrix.elements,
+  ]);
+  return JSON.stringify([layout, options, form, touching, index && versionOf(index), versions, morphs, groups]);
+}
+
+/** Divides geometries to bake into those whose baked geometry exists already, and the rest. */
+function reusableOf(
+  plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
+  { reusable, detail }: HatchingCall,
+  prepare: PrepareHatchingGeometryOptions,
+): { reused: Map<BufferGeometry, BufferGeometry>; rest: ReadonlyMap<BufferGeometry, GeometryPlan> } {
+  const reused = new Map<BufferGeometry, BufferGeometry>();
+  const rest = new Map(plans);
+  // Levels of detail change the index of a geometry.
+  if (detail) return { reused, rest };
+  for (const [source, plan] of plans) {
+    const known = reusable.get(source);
+    if (known?.positions !== source.attributes.position || known.key !== bakeKey(source, plan, prepare)) continue;
+    reused.set(source, known.geometry);
+    rest.delete(source);
+  }
+  return { reused, rest };
+}
+
+/** The baked geometries that later calls may use, too. */
+function bakesToKeep(
+  baked: ReadonlyMap<BufferGeometry, BufferGeometry | Error>,
+  plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
+  { detail }: HatchingCall,
+  prepare: PrepareHatchingGeometryOptions,
+): Map<BufferGeometry, BakedGeometry> {
+  const kept = new Map<BufferGeometry, BakedGeometry>();
+  if (detail) return kept;
+  for (const [source, geometry] of baked) {
+    if (geometry instanceof Error || isFormExpected(geometry)) continue;
+    const positions = source.attributes.position as BufferAttribute;
+    kept.set(source, { geometry, key: bakeKey(source, plans.get(source)!, prepare), positions });
+  }
+  return kept;
 }
 
 /**
@@ -69,15 +149,18 @@ export async function makeLooks(call: HatchingCall, old: OldLooks, choice: Chose
  * fields later is not loaded.
  */
 async function planLooks(
-  { options, makers, disposables, asBefore, firstFrame, detail }: HatchingCall,
+  call: HatchingCall,
   { seen, unreadable }: OldLooks,
   prepare: PrepareHatchingGeometryOptions,
+  geometries: Set<BufferGeometry>,
 ): Promise<Plans> {
+  const { options, makers, style, disposables, asBefore, firstFrame, detail } = call;
   const { signal } = options;
-  const replacer = new MaterialReplacer(options.material ?? {}, makers.material);
+  const replacer = new MaterialReplacer(options.material ?? {}, makers.material, style.replacements);
   disposables.push(replacer);
   const displaced = await displaceMeshes(seen, unreadable);
   const planned = await runSliced(planMeshes(displaced, replacer), { signal, around: asBefore });
+  call.takeEdits(replacer.added);
   const plans = geometryPlans(planned, options);
   if ([...plans.values()].every(({ form }) => !form)) return { replacer, planned, plans, forms: null };
   const [{ crossingMaterials, LaterForms }, { formGroups }] = await Promise.all([
@@ -87,7 +170,7 @@ async function planLooks(
   const groups = await runSliced(formGroups(planned, plans), { signal });
   for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
   const crossing = crossingMaterials(planned, options);
-  const forms = new LaterForms(plans, crossing, prepare, { ...options, disposables, firstFrame, detail });
+  const forms = new LaterForms(plans, crossing, prepare, { ...options, geometries, firstFrame, detail });
   return { replacer, planned, plans, forms };
 }
 

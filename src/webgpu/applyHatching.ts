@@ -1,27 +1,42 @@
-import type { Object3D } from 'three';
+import type { Material, Mesh, Object3D } from 'three';
 import { mustBeAwaited } from '../material/diagnostics/warn.js';
 import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
-import type { ApplyHatchingOptions } from '../scene/ApplyHatchingOptions.js';
-import type { HatchedScene } from '../scene/HatchedScene.js';
+import type { ApplyHatchingOptions, HatchingPreset } from '../scene/ApplyHatchingOptions.js';
+import { lookOptions } from '../scene/applyOptions.js';
+import type { HatchedScene, HatchingTask } from '../scene/HatchedScene.js';
 import { hatchScene, type LookMakers } from '../scene/hatchScene.js';
 import type { PresetName } from '../scene/presets.js';
 import { HatchingNodeMaterial } from './HatchingNodeMaterial.js';
 import type { HatchingOutlines } from './outlines/HatchingOutlines.js';
 
 /** A scene that is hatched for WebGPURenderer. */
-export type HatchedNodeScene = Omit<HatchedScene, 'materials' | 'outlines'> & {
+export type HatchedNodeScene = Omit<
+  HatchedScene,
+  'materials' | 'outlines' | 'materialOf' | 'outlineOf' | 'update' | 'setPreset'
+> & {
   /** All new materials; you may change them. */
   readonly materials: readonly HatchingNodeMaterial[];
   /** The outlines of all meshes, if requested; you may change their materials. */
   readonly outlines: readonly HatchingOutlines[];
+  /** The material that a mesh is hatched with, or the materials in the order of its own; undefined if the mesh is not hatched. */
+  materialOf(mesh: Mesh): HatchingNodeMaterial | (HatchingNodeMaterial | Material)[] | undefined;
+  /** The outlines of a mesh; undefined if it has none. */
+  outlineOf(mesh: Mesh): HatchingOutlines | undefined;
+  /** Hatches what was added, and releases what is gone, as `HatchedScene.update` does. */
+  update(task?: HatchingTask): Promise<HatchedNodeScene>;
+  /** Gives the scene another look, in place, as `HatchedScene.setPreset` does. */
+  setPreset(
+    look: PresetName | HatchingPreset | ApplyNodeHatchingOptions,
+    options?: ApplyNodeHatchingOptions,
+  ): Promise<HatchedNodeScene>;
 };
 
 /** The options of `applyHatching` for WebGLRenderer, without the renderer: WebGPURenderer prepares its first frame itself. */
-export type ApplyNodeHatchingOptions = Omit<ApplyHatchingOptions, 'renderer' | 'camera' | 'replaces'> & {
-  /** An earlier result, whose meshes are hatched anew. */
-  replaces?: HatchedNodeScene | undefined;
-};
+export type ApplyNodeHatchingOptions = Omit<ApplyHatchingOptions, 'renderer' | 'camera'>;
+
+/** Properties of the result that users read first. */
+const FIRST_READ = ['materials', 'outlines', 'skipped', 'update', 'setPreset', 'restore', 'dispose'] as const;
 
 const OF_NODES = {
   material: () => new HatchingNodeMaterial(),
@@ -39,16 +54,11 @@ const OF_NODES = {
  */
 export function applyHatching(
   root: Object3D,
-  options: ApplyNodeHatchingOptions | PresetName = {},
+  look: PresetName | HatchingPreset | ApplyNodeHatchingOptions = {},
+  options: ApplyNodeHatchingOptions = {},
 ): Promise<HatchedNodeScene> {
   // The shared code is typed by the classes of WebGLRenderer, and calls only these makers.
   const makers = OF_NODES as unknown as LookMakers;
-  const hatched = hatchScene(root, options as ApplyHatchingOptions | PresetName, makers);
-  return mustBeAwaited(hatched as unknown as Promise<HatchedNodeScene>, 'applyHatching()', [
-    'materials',
-    'outlines',
-    'skipped',
-    'restore',
-    'dispose',
-  ]);
+  const hatched = hatchScene(root, lookOptions(look, options), makers);
+  return mustBeAwaited(hatched as unknown as Promise<HatchedNodeScene>, 'applyHatching()', FIRST_READ);
 }

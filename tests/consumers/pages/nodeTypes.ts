@@ -46,7 +46,7 @@ export async function engravedScene(): Promise<HatchedNodeScene> {
   const hatched = await applyHatching(scene, { material: { technique: 'engraved' }, outlines: true });
   hatched.materials[0].crossFrom = 0.4;
   hatched.outlines[0].material.outlineWidth = 3;
-  const again = await applyHatching(scene, { replaces: hatched });
+  const again: HatchedNodeScene = await hatched.setPreset({ preset: 'pen', outlines: false });
   await new WebGPURenderer().compileAsync(scene, new PerspectiveCamera());
   return again;
 }

@@ -73,7 +73,7 @@ describe('the hatched scene', () => {
     mesh.renderOrder = 3;
     expect([outlines.layers.mask, outlines.renderOrder]).toEqual([4, 3]);
     Object.assign(source, { opacity: 0, depthFunc: GreaterDepth, stencilWrite: true, stencilRef: 2 });
-    scene.follow();
+    expect(mesh.material.visible).toBe(true);
     expect(mesh.material).toMatchObject({ opacity: 0, depthFunc: GreaterDepth, stencilWrite: true, stencilRef: 2 });
     outlines.geometry.setDrawRange(0, 9);
     outlines.onBeforeRender({} as never, new Scene(), new PerspectiveCamera());

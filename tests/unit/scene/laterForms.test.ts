@@ -38,7 +38,6 @@ test('a large mesh is drawn by the light until its field is there, with its outl
   expect(second.geometry).toBe(sharing.geometry);
   expect(outlineDataOf(second.geometry)).toBeDefined();
   expect(freed).toHaveBeenCalledOnce();
-  hatched.follow();
   expect(isFormed(second)).toBe(true);
 });
 

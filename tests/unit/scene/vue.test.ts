@@ -18,11 +18,7 @@ test('a scene in a ref is hatched and restored, by proxy or directly', async () 
   const state = reactive<{ hatched?: Awaited<ReturnType<typeof applyHatching>> }>({});
   state.hatched = (await applyHatching(root.value as unknown as Group, 'technical')) as never;
   expect(toRaw(mesh.material)).toBeInstanceOf(HatchingMaterial);
-  await expect(applyHatching(mesh)).rejects.toThrow('is hatched already');
-  const next = await applyHatching(toRaw(root.value) as unknown as Group, {
-    preset: 'engraving',
-    replaces: state.hatched as never,
-  });
+  const next = await (state.hatched as unknown as Awaited<ReturnType<typeof applyHatching>>).setPreset('engraving');
   expect(toRaw(mesh.material)).toBe(toRaw(next.materials[0]));
   (reactive(next) as unknown as typeof next).dispose();
   expect([toRaw(mesh.geometry), toRaw(mesh.material)]).toEqual([geometry, material]);

@@ -1,0 +1,240 @@
+import { type Color, Material, type Texture, type Vector2 } from 'three';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import type { HatchingMaterial } from '../material/HatchingMaterial.js';
+import { GivenValues } from './GivenValues.js';
+
+/** The properties of three's surface materials beyond those of `Material`. Other materials may have some of them. */
+export interface SurfaceMaterial extends Material {
+  color?: Color;
+  map?: Texture | null;
+  alphaMap?: Texture | null;
+  normalMap?: Texture | null;
+  normalMapType?: HatchingMaterial['normalMapType'];
+  normalScale?: Vector2;
+  bumpMap?: Texture | null;
+  bumpScale?: number;
+  flatShading?: boolean;
+  aoMap?: Texture | null;
+  aoMapIntensity?: number;
+  lightMap?: Texture | null;
+  lightMapIntensity?: number;
+  emissive?: Color;
+  emissiveIntensity?: number;
+  emissiveMap?: Texture | null;
+  fog?: boolean;
+  wireframe?: boolean;
+  wireframeLinewidth?: number;
+  transmission?: number;
+  transmissionMap?: Texture | null;
+}
+
+/** The properties of surfaces that a hatching material has under the same name, and whose values it shares. */
+export const surfaceProperties = [
+  'map',
+  'alphaMap',
+  'normalMap',
+  'normalMapType',
+  'bumpMap',
+  'bumpScale',
+  'flatShading',
+  'aoMap',
+  'aoMapIntensity',
+  'lightMap',
+  'lightMapIntensity',
+  'emissiveIntensity',
+  'emissiveMap',
+] as const satisfies (keyof SurfaceMaterial)[];
+
+const warned = new Set<string>();
+
+/**
+ * The value of a property in the range of a hatching material. three.js also draws with numbers out of range, such as an
+ * `emissiveIntensity` of −1: they are clamped, and NaN becomes the default. One warning reports it.
+ */
+export function acceptable(name: keyof SurfaceMaterial, source: SurfaceMaterial): unknown {
+  const value = source[name];
+  const property = Object.hasOwn(HATCHING_PROPERTIES, name)
+    ? (HATCHING_PROPERTIES[name as HatchingPropertyName] as HatchingProperty)
+    : null;
+  if (property?.kind === 'switch') return Boolean(value);
+  if (property?.kind !== 'number') return value;
+  const { from = -Infinity, to = Infinity } = property.range ?? {};
+  const taken = Number.isFinite(value)
+    ? Math.min(Math.max(value as number, from), to)
+    : HATCHING_DEFAULTS[name as HatchingPropertyName];
+  if (taken !== value && !warned.has(name)) {
+    warned.add(name);
+    console.warn(
+      `applyHatching: ${name} is ${value} on the ${source.type}${source.name ? ` "${source.name}"` : ''}, and is hatched as ${taken}.`,
+    );
+  }
+  return taken;
+}
+
+/** The properties that are copied from every material, beside those of surfaces. */
+const MATERIAL_PROPERTIES = [
+  'visible',
+  'opacity',
+  'transparent',
+  'side',
+  'alphaTest',
+  'alphaHash',
+  'blending',
+  'colorWrite',
+  'depthTest',
+  'depthFunc',
+  'depthWrite',
+  'polygonOffset',
+  'polygonOffsetFactor',
+  'polygonOffsetUnits',
+  'clippingPlanes',
+  'clipIntersection',
+  'alphaToCoverage',
+  'stencilWrite',
+  'stencilFunc',
+  'stencilRef',
+  'stencilFuncMask',
+  'vertexColors',
+  'fog',
+  'wireframe',
+] as const satisfies (keyof SurfaceMaterial)[];
+
+const NAMES = [...MATERIAL_PROPERTIES, ...surfaceProperties] as const;
+const COPIED = ['color', 'emissive', 'normalScale'] as const;
+
+/** The properties of hatching materials that a user may change. */
+function editableNames(): string[] {
+  const { uuid, userData, version, ...ofMaterial } = new Material() as Material & Record<string, unknown>;
+  const names = Object.keys(ofMaterial).filter((name) => !/^(_|is[A-Z]|id$|type$)/.test(name));
+  return [
+    ...new Set([
+      ...names,
+      ...NAMES,
+      'wireframeLinewidth',
+      'extent',
+      // The technique decides the defaults of others, which must be set after it.
+      'technique',
+      ...Object.keys(HATCHING_PROPERTIES),
+    ]),
+  ];
+}
+
+let names: string[] | undefined;
+
+type Values = Record<string, unknown>;
+type Copied = Color | Vector2;
+
+/**
+ * A hatching material in place of a material of the scene, its source. Changes of the source count in the next frame. A property that
+ * was passed to the hatching material, or set on it since, stays.
+ */
+export class Replacement {
+  /** For each followed property, the last value in the source. */
+  private readonly seen: Values = {};
+  private readonly seenCopies: Partial<Record<(typeof COPIED)[number], Copied>> = {};
+  private readonly followed: readonly (typeof NAMES)[number][];
+  private readonly given: GivenValues;
+  private isFollowing = false;
+  private isStarted = false;
+
+  /**
+   * @param key names the source, the scale of its meshes, and whether they deform
+   * @param passed the names of the parameters that the hatching material was created with
+   * @param scale world units per object unit, if the size of strokes follows from it
+   */
+  constructor(
+    readonly key: string,
+    readonly source: Material,
+    public material: HatchingMaterial,
+    passed: readonly string[],
+    readonly scale: number | null,
+  ) {
+    const values = source as unknown as Values;
+    this.followed = NAMES.filter((name) => values[name] !== undefined && !passed.includes(name));
+    for (const name of this.followed) this.seen[name] = values[name];
+    for (const name of COPIED) {
+      if (values[name] && !passed.includes(name)) this.seenCopies[name] = (values[name] as Copied).clone();
+    }
+    names ??= editableNames();
+    this.given = new GivenValues(material, names);
+  }
+
+  /** Sets a property, unless it was edited. */
+  give(name: string, value: unknown): void {
+    this.given.give(this.material, name, value);
+  }
+
+  /** Takes over what a user has changed on the material of another replacement. @param except names of properties that stay */
+  takeEdits({ given, material }: Replacement, except: readonly string[]): void {
+    given.copyEdits(material, this.material, except);
+  }
+
+  /** Copies the changes of the source since the last call. Allocates nothing if there are none. */
+  follow(): void {
+    if (this.isFollowing) return;
+    this.isFollowing = true;
+    const { seen } = this;
+    const source = this.source as SurfaceMaterial;
+    for (const name of this.followed) {
+      if (source[name] === seen[name]) continue;
+      seen[name] = source[name];
+      this.give(name, acceptable(name, source));
+    }
+    for (const name of COPIED) {
+      const copy = this.seenCopies[name] as Color | undefined;
+      const value = source[name] as Color | undefined;
+      if (!copy || !value || copy.equals(value)) continue;
+      copy.copy(value);
+      this.give(name, value);
+    }
+    this.isFollowing = false;
+  }
+
+  /**
+   * Follows the source from now on. three.js reads `visible` of each material just before it puts a mesh into a render list, also while
+   * it is false: that is when the source is compared.
+   */
+  start(): void {
+    if (this.isStarted) return;
+    this.isStarted = true;
+    const { material } = this;
+    let { visible } = material;
+    Object.defineProperty(material, 'visible', {
+      get: () => {
+        this.follow();
+        return visible;
+      },
+      set: (value: boolean) => {
+        visible = value;
+      },
+      enumerable: true,
+      configurable: true,
+    });
+  }
+
+  /** Ends it. */
+  stop(): void {
+    if (!this.isStarted) return;
+    this.isStarted = false;
+    const { material } = this;
+    this.isFollowing = true;
+    Object.defineProperty(material, 'visible', {
+      value: material.visible,
+      writable: true,
+      enumerable: true,
+      configurable: true,
+    });
+    this.isFollowing = false;
+  }
+
+  /** Gives all values to the material of an earlier replacement, which takes the place of this one's. */
+  moveTo(held: HatchingMaterial): void {
+    const { material } = this;
+    const { userData } = held;
+    held.copy(material);
+    // Material.copy clones these.
+    Object.assign(held, { userData, clippingPlanes: material.clippingPlanes, needsUpdate: true });
+    this.material = held;
+  }
+}
