@@ -420,7 +420,8 @@ export class HatchedScene {
       }
     }
     for (const [source, { geometry }] of this.baked) if (!usedGeometries.has(geometry)) this.baked.delete(source);
-    this.batches = this.batches.filter((batch) => parts.some((part) => part.batch === batch));
+    const drawing = new Set(parts.map(({ batch }) => batch));
+    this.batches = this.batches.filter((batch) => batch.geometries.size > 0 || drawing.has(batch));
     this.hatchingMaterials = [...style.replacements.values()].map(({ material }) => material);
     this.ownOutlines = [...outlines];
   }

@@ -120,7 +120,8 @@ function reusableOf(
   if (detail) return { reused, rest };
   for (const [source, plan] of plans) {
     const known = reusable.get(source);
-    if (known?.positions !== source.attributes.position || known.key !== bakeKey(source, plan, prepare)) continue;
+    if (!known || known.positions !== source.attributes.position || known.key !== bakeKey(source, plan, prepare))
+      continue;
     reused.set(source, known.geometry);
     rest.delete(source);
   }

@@ -27,7 +27,7 @@ describe('errors', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, detail, filter, onGeometry, onFormProgress, invalidate, preset, replaces, renderer, camera, adjacency, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, detail, filter, onGeometry, onFormProgress, invalidate, preset, renderer, camera, adjacency, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],
@@ -38,17 +38,24 @@ describe('errors', () => {
     hatched(mesh);
   });
 
-  test('a scene that is hatched, or being hatched, in whole or in part, is refused', async () => {
+  test('what is hatched, or being hatched, by another call is left to it', async () => {
+    const warnings = vi.spyOn(console, 'warn').mockImplementation(() => {});
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     mesh.name = 'crate';
     const root = new Group().add(mesh);
     const first = applyHatching(mesh, { tonalArtMap });
-    await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(
-      'applyHatching: nothing is left to hatch. The Mesh "crate" at Group/crate is hatched already, or is being hatched.',
-    );
+    const { skipped, materials } = await applyHatching(root, { tonalArtMap });
+    const reason = 'The Mesh "crate" at Group/crate is hatched already, or is being hatched.';
+    expect([skipped, materials]).toEqual([[{ mesh, reason }], []]);
+    expect(warnings.mock.calls).toEqual([
+      [
+        `applyHatching: nothing is left to hatch. ${reason} Call update() or setPreset() of the result of the first call, or dispose() of it before.`,
+      ],
+    ]);
     const during = (await first).materials[0];
-    await expect(applyHatching(root, { tonalArtMap })).rejects.toThrow(/hatched already/);
+    expect((await applyHatching(root, { tonalArtMap })).materials).toEqual([]);
     expect(mesh.material).toBe(during);
+    warnings.mockRestore();
   });
 
   test("a scene that is mounted, unmounted and mounted again in one tick, as in React's StrictMode, is hatched", async () => {
@@ -63,13 +70,11 @@ describe('errors', () => {
     first.unmount();
     const second = mount();
     await expect(first.scene).rejects.toThrow('unmounted');
-    // The first call has released its claim late: the claim of the second stands.
-    await expect(mount().scene).rejects.toThrow(/is being hatched/);
     const scene = await second.scene;
     expect(hatched(mesh)).toBe(scene.materials[0]);
     // An abort after the end changes nothing.
     second.unmount();
-    await expect(mount().scene).rejects.toThrow(/hatched already/);
+    expect(hatched(mesh)).toBe(scene.materials[0]);
     scene.dispose();
     expect(mesh.material).toBe(original);
   });
@@ -78,7 +83,9 @@ describe('errors', () => {
     const mesh = new Mesh(new BoxGeometry(), new MeshBasicMaterial());
     const scene = await applyHatching(reactive(mesh), { tonalArtMap });
     hatched(mesh);
-    await expect(applyHatching(mesh, { tonalArtMap })).rejects.toThrow(/hatched already/);
+    expect(scene.materialOf(mesh) === (mesh.material as unknown)).toBe(true);
+    vi.spyOn(console, 'warn').mockImplementationOnce(() => {});
+    expect((await applyHatching(mesh, { tonalArtMap })).materials).toEqual([]);
     scene.dispose();
     (await applyHatching(mesh, { tonalArtMap })).dispose();
   });
@@ -105,10 +112,11 @@ describe('errors', () => {
       Mesh,
       Mesh,
     ];
-    const promise = applyHatching(new Group().add(changed, kept), { tonalArtMap });
     const replacement = new MeshStandardMaterial();
-    changed.material = replacement;
-    const { skipped } = await promise;
+    const onProgress = () => {
+      changed.material = replacement;
+    };
+    const { skipped } = await applyHatching(new Group().add(changed, kept), { tonalArtMap, onProgress });
     expect(changed.material).toBe(replacement);
     expect(skipped.map(({ mesh }) => mesh)).toEqual([changed]);
     expect(skipped[0].error?.message).toContain('while it was being baked');

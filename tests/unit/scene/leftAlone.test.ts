@@ -72,12 +72,19 @@ test('among several materials those with their own shader stay', async () => {
   expect([mesh.material, skipped]).toEqual([[materials[0], glow], []]);
 });
 
-test('a scene in which every mesh is left alone is refused, with the reasons', async () => {
+test('a scene in which every mesh is left alone gives an empty result and one sentence, with the reasons', async () => {
+  const warnings = vi.spyOn(console, 'warn').mockImplementation(() => {});
   const helpers = Array.from({ length: 5 }, () => new Mesh(new PlaneGeometry(), new ShaderMaterial()));
-  await expect(applyHatching(new Group().add(...helpers), options)).rejects.toThrow(
-    'applyHatching: nothing is left to hatch. The Mesh at Group/Mesh[0] is left alone: its material has a shader of its own.',
-  );
-  await expect(applyHatching(new Group().add(...helpers), options)).rejects.toThrow('So are 2 more meshes.');
+  const { materials, skipped } = await applyHatching(new Group().add(...helpers), options);
+  expect([materials, skipped.map(({ mesh }) => mesh)]).toEqual([[], helpers]);
+  expect(warnings.mock.calls).toEqual([
+    [
+      expect.stringMatching(
+        /^applyHatching: nothing is left to hatch\. The Mesh at Group\/Mesh\[0\] is left alone: its material has a shader of its own\. .* So are 2 more meshes\. Set userData\.hatching to true/,
+      ),
+    ],
+  ]);
+  warnings.mockRestore();
 });
 
 test('another call hatches added meshes, with strokes of the same size', async () => {
