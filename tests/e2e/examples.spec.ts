@@ -13,8 +13,8 @@ import { ktx2Picture } from './ktx2Picture.js';
 import { changedShare, meanInk } from './pictures.js';
 
 const EXAMPLES = readExamples();
-/** Examples that `npm test` draws: a mesh alone, the element, and one that uses workers. */
-const QUICK = ['one-mesh', 'strict-csp'];
+/** Examples that `npm test` draws: a mesh alone, one that changes in every way, and one that uses workers. */
+const QUICK = ['one-mesh', 'configurator', 'strict-csp'];
 
 const folder = fileURLToPath(new URL('../output/examples', import.meta.url));
 const three = fileURLToPath(new URL('../../node_modules/three', import.meta.url));
@@ -99,6 +99,30 @@ for (const example of EXAMPLES) {
       const print = PNG.sync.read(Buffer.concat(chunks));
       expect([print.width, print.height]).toEqual([1181, 886]);
       expect(measure(print).edges).toBeGreaterThan(0.01);
+    }
+    if (example.folder === 'configurator') {
+      const changes = async (act: () => Promise<unknown>, least: number) => {
+        const before = await read(page.locator('canvas'));
+        await act();
+        await expect
+          .poll(async () => changedShare(before, await read(page.locator('canvas'))), { timeout: 30_000 })
+          .toBeGreaterThan(least);
+      };
+      await changes(() => page.getByLabel('Cord').uncheck(), 0.002);
+      await changes(() => page.getByLabel('Colour').fill('#802010'), 0.01);
+      await changes(() => page.getByLabel('Opacity').fill('0.3'), 0.01);
+      await changes(() => page.getByLabel('Shade').selectOption('globe'), 0.02);
+      await changes(async () => {
+        await page.getByLabel('Look').selectOption('engraving');
+        await page.getByLabel('Look').selectOption('chalk');
+      }, 0.5);
+      const download = page.waitForEvent('download');
+      await page.getByRole('button', { name: 'Save PNG' }).click();
+      const chunks = await (await (await download).createReadStream()).toArray();
+      const { data } = PNG.sync.read(Buffer.concat(chunks));
+      const opacities = new Set(data.filter((_, i) => i % 4 === 3));
+      expect([opacities.has(0), opacities.has(255)]).toEqual([true, true]);
+      await page.getByRole('button', { name: 'Free all' }).click();
     }
     if (example.folder === 'own-hand') {
       const swatch = (await page.locator('.swatch').boundingBox())!;

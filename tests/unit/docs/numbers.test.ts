@@ -44,7 +44,18 @@ const WORDS = [
   'eleven',
   'twelve',
 ];
-WORDS.push('thirteen', 'fourteen', 'fifteen', 'sixteen', 'seventeen', 'eighteen', 'nineteen', 'twenty', 'twenty-one');
+WORDS.push(
+  'thirteen',
+  'fourteen',
+  'fifteen',
+  'sixteen',
+  'seventeen',
+  'eighteen',
+  'nineteen',
+  'twenty',
+  'twenty-one',
+  'twenty-two',
+);
 
 describe('times are those of the benchmarks', () => {
   type Frame = { drawn: Record<string, { to: Record<string, number[]> }> };

@@ -13,15 +13,17 @@ const folder = join(root, 'tests/output/samples');
 
 /** What samples speak of and do not make: a scene that stands there already. */
 const AROUND = `
-import type { BufferGeometry, DirectionalLight as Sun, Group, Mesh as AnyMesh, Object3D, PerspectiveCamera as Eye,
+import type { BufferGeometry, DirectionalLight as Sun, Group, Mesh as AnyMesh, MeshStandardMaterial as Standard, Object3D, PerspectiveCamera as Eye,
   Scene as World, Texture, WebGLRenderer as Renderer } from 'three';
-import type { Hand as OwnHand, HandStroke as Drawn, HatchingMaterial as Material, TonalArtMap as HatchMap } from 'three-hatching';
+import type { Hand as OwnHand, HandStroke as Drawn, HatchedScene as Hatched, HatchingMaterial as Material, TonalArtMap as HatchMap } from 'three-hatching';
 declare global {
   const mesh: AnyMesh; const scene: World; const camera: Eye; const renderer: Renderer; const light: Sun;
   const geometry: BufferGeometry; const material: Material; const tonalArtMap: HatchMap; const map: HatchMap;
   const gltf: { scene: Group }; const scan: Object3D; const first: Object3D; const second: Object3D; const gradientMap: Texture;
   const files: File[]; const ground: AnyMesh<BufferGeometry, Material>; const BakeWorker: new () => Worker;
-  const strokes: Drawn[]; const hand: OwnHand; const picture: HTMLCanvasElement;
+  const strokes: Drawn[]; const hand: OwnHand; const picture: HTMLCanvasElement; const canvas: HTMLCanvasElement;
+  const lamp: Group; const cord: AnyMesh; var shade: AnyMesh<BufferGeometry, Standard>; const kind: string;
+  const shades: Record<string, () => BufferGeometry>; const hatched: Hatched; const signal: AbortSignal; const draw: () => void; const save: () => void;
 }
 export {};
 `;
@@ -86,4 +88,14 @@ test('the setting for Vue has the tag left to the browser', () => {
       .code;
   expect(compiled({})).toContain('resolveComponent');
   expect(compiled(template.compilerOptions)).not.toContain('resolveComponent');
+});
+
+test('the code of the Configurator guide is that of its example', () => {
+  const example = readFileSync(join(root, 'examples/configurator/main.ts'), 'utf8');
+  const lines = new Set(example.split('\n').map((line) => line.trim()));
+  const blocks = [...DOCUMENTS['docs/configurator.md'].matchAll(/^```ts\n([\s\S]*?)^```/gm)].map(([, code]) => code);
+  const same = blocks.filter((code) => /applyHatching\(|hatched\.(update|background, 0|dispose)/.test(code));
+  expect(same).toHaveLength(4);
+  const others = same.flatMap((code) => code.split('\n').map((line) => line.trim())).filter((line) => !lines.has(line));
+  expect(others).toEqual(['const next = new Mesh(shades[kind](), shade.material);']);
 });
