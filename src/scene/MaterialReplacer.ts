@@ -5,7 +5,8 @@ import { deforms } from '../material/deformation/canDeform.js';
 import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { isReplaced } from './leftAlone.js';
-import { acceptable, Replacement, type SurfaceMaterial, surfaceProperties } from './Replacement.js';
+import { acceptable, Replacement, surfaceProperties } from './Replacement.js';
+import type { SurfaceMaterial } from './SurfaceMaterial.js';
 
 /** The number of digits in which equal scales agree; further ones may differ by rounding. */
 const SCALE_DIGITS = 6;
@@ -87,8 +88,9 @@ function hatchingMaterialFrom(
   parameters: HatchingMaterialParameters,
   material: HatchingMaterial,
 ): HatchingMaterial {
-  // Material.copy clones user data through JSON, which loses some values.
-  Material.prototype.copy.call(material, Object.create(source, { userData: { value: {} } }));
+  // Material.copy clones user data through JSON, which loses some values. As the prototype of another object the source would become slow.
+  const { alphaTest } = source;
+  Material.prototype.copy.call(material, { ...source, alphaTest, userData: {} } as Material);
   material.toneMapped = false;
   material.userData = { ...source.userData };
   // The planes are shared, so that moving them keeps clipping both materials.

@@ -1,33 +1,10 @@
-import { type Color, Material, type Texture, type Vector2 } from 'three';
+import { type Color, Material, type Vector2 } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { GivenValues } from './GivenValues.js';
-
-/** The properties of three's surface materials beyond those of `Material`. Other materials may have some of them. */
-export interface SurfaceMaterial extends Material {
-  color?: Color;
-  map?: Texture | null;
-  alphaMap?: Texture | null;
-  normalMap?: Texture | null;
-  normalMapType?: HatchingMaterial['normalMapType'];
-  normalScale?: Vector2;
-  bumpMap?: Texture | null;
-  bumpScale?: number;
-  flatShading?: boolean;
-  aoMap?: Texture | null;
-  aoMapIntensity?: number;
-  lightMap?: Texture | null;
-  lightMapIntensity?: number;
-  emissive?: Color;
-  emissiveIntensity?: number;
-  emissiveMap?: Texture | null;
-  fog?: boolean;
-  wireframe?: boolean;
-  wireframeLinewidth?: number;
-  transmission?: number;
-  transmissionMap?: Texture | null;
-}
+import { SeenValues } from './SeenValues.js';
+import type { SurfaceMaterial } from './SurfaceMaterial.js';
 
 /** The properties of surfaces that a hatching material has under the same name, and whose values it shares. */
 export const surfaceProperties = [
@@ -135,6 +112,7 @@ export class Replacement {
   private readonly seenCopies: Partial<Record<(typeof COPIED)[number], Copied>> = {};
   private readonly followed: readonly (typeof NAMES)[number][];
   private readonly given: GivenValues;
+  private readonly last: SeenValues;
   private isFollowing = false;
   private isStarted = false;
 
@@ -156,6 +134,7 @@ export class Replacement {
     for (const name of COPIED) {
       if (values[name] && !passed.includes(name)) this.seenCopies[name] = (values[name] as Copied).clone();
     }
+    this.last = new SeenValues(source);
     names ??= editableNames();
     this.given = new GivenValues(material, names);
   }
@@ -172,10 +151,11 @@ export class Replacement {
 
   /** Copies the changes of the source since the last call. Allocates nothing if there are none. */
   follow(): void {
-    if (this.isFollowing) return;
+    if (this.isFollowing || !this.last.differFrom(this.source)) return;
     this.isFollowing = true;
     const { seen } = this;
     const source = this.source as SurfaceMaterial;
+    this.last.note(source);
     for (const name of this.followed) {
       if (source[name] === seen[name]) continue;
       seen[name] = source[name];
