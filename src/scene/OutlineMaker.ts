@@ -33,6 +33,19 @@ function warnOfBatch(mesh: Mesh): void {
   );
 }
 
+/**
+ * Keeps the material of outlines blended. Code that fades all materials below an object, and then sets them opaque again, means the
+ * surfaces.
+ */
+function alwaysBlended<Look extends Material>(material: Look): Look {
+  return Object.defineProperty(material, 'transparent', {
+    get: () => true,
+    set: () => {},
+    enumerable: true,
+    configurable: true,
+  });
+}
+
 /** Makes outlines for one kind of renderer. */
 export interface OutlineKind<Look extends Material, Drawn> {
   /** @throws RangeError or TypeError for a wrong parameter */
@@ -140,7 +153,7 @@ export class OutlineMaker<
   private materialFor(surface: Material, isDeforming: boolean): Look {
     let look = this.looks.get(surface);
     if (!look) {
-      const material = this.kind.material(this.parameters, isDeforming);
+      const material = alwaysBlended(this.kind.material(this.parameters, isDeforming));
       look = { material, given: new GivenValues(material, EDITABLE) };
       this.looks.set(surface, look);
       this.added.push(material);

@@ -156,8 +156,9 @@ export function copyDrawState(from: DrawState, to: Partial<DrawState>): void {
 const NEARER: readonly DepthModes[] = [LessDepth, LessEqualDepth, EqualDepth];
 
 /**
- * Gives the material of outlines the opacity of a surface, and its tests in addition to those of its own. Outlines never write the
- * stencil of a surface, because they would enlarge what it marks.
+ * Gives the material of outlines the opacity of a surface, unless its own is less, and its tests in addition to those of its own. Code
+ * that fades all materials below an object fades both, and lines must not fade twice. Outlines never write the stencil of a surface,
+ * because they would enlarge what it marks.
  *
  * @param before receives the previous state, if anything changes
  * @returns whether anything changes
@@ -171,7 +172,7 @@ export function takeDrawState(
   const opacity = opacityOf(surface, geometry);
   if (opacity === 1 && isTestedAsUsual(surface)) return false;
   copyDrawState(material, before);
-  material.opacity *= opacity;
+  material.opacity = Math.min(material.opacity, opacity);
   material.depthTest &&= surface.depthTest;
   if (!NEARER.includes(surface.depthFunc)) material.depthFunc = surface.depthFunc;
   if (surface.stencilWrite && !material.stencilWrite && !isDrawnOnce(surface)) {

@@ -152,7 +152,7 @@ function surroundings({ settings, groundHeight }: CodeDrawing): string {
 ground.position.y = ${round(groundHeight)};
 ground.receiveShadow = true;
 scene.add(ground);
-const [{ tonalArtMap, extent }] = hatching.materials;
+const [{ tonalArtMap, extent }] = hatched.materials;
 const floor = await applyHatching(ground, {
   preset: scalePreset(look, share),
   outlines: false,
@@ -161,7 +161,7 @@ const floor = await applyHatching(ground, {
 });
 floor.materials[0].extent = extent;\n`;
   const { spacing = 0, ...look } = background ?? {};
-  const field = `scene.add(new HatchingBackground(hatching.materials[0].extent, {
+  const field = `scene.add(new HatchingBackground(hatched.materials[0].extent, {
   ${[...entries(look), `spacing: ${round(spacing)} * share`].join(',\n  ')},
 }));\n`;
   return `${when(ground !== 'none', sheet)}${when(background, field)}`;

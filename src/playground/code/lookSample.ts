@@ -114,11 +114,11 @@ export function lookSample(settings: Settings, root: string, { radius = 1, share
   };
   const { style: _, ...numbers } = map;
   const tonalArtMap = when(entries(map).length, `\n  tonalArtMap: ${mapSource(settings.mapStyle, numbers)}`);
-  const tint = `\nfor (const { color } of hatching.materials) color.multiply(new Color('${settings.color}'));`;
+  const tint = `\nfor (const { color } of hatched.materials) color.multiply(new Color('${settings.color}'));`;
   return `const look = {
   ...presets.${preset},${block('material', isBase, own)}${block('outlines', true, entries(outlines))}${tonalArtMap}
 };
-const hatching = await applyHatching(${root}, {
+const hatched = await applyHatching(${root}, {
   preset: ${share ? `scalePreset(look, ${share})` : 'look'},${when(settings.outlines === 'off', '\n  outlines: false,')}
   tilesPerWorldUnit: ${Number((tilesPerObjectUnit / radius).toPrecision(3))}, // tiles of strokes per unit of the world
 });${when(settings.color !== '#ffffff', tint)}${when(settings.occlusion, `\nawait bakeOcclusion(${root});`)}`;

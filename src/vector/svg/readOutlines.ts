@@ -55,7 +55,7 @@ export function outlineLookOf(
     material.weights;
   const { outlineWidth, taper, lostEdges, accents, overshoot, wobble, hidden } = material;
   return {
-    width: outlineWidth * opacityOf(material) * opacityOf(surface, geometry),
+    width: outlineWidth * Math.min(opacityOf(material), opacityOf(surface, geometry)),
     materialBorders: hasMaterials ? materialBorders : 0,
     shadeWeights: [lit, shade],
     ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },

@@ -159,7 +159,9 @@ describe('a mesh with one material', () => {
   test('passes its opacity on to its outlines, which are not drawn at 0', () => {
     const material = faded(0.25);
     const { outlines } = outlined(box, material, { opacity: 0.5 });
-    expect(draw(outlines)).toMatchObject([{ opacity: 0.125 }]);
+    expect(draw(outlines)).toMatchObject([{ opacity: 0.25 }]);
+    material.opacity = 0.75;
+    expect(draw(outlines), 'lines do not fade twice').toMatchObject([{ opacity: 0.5 }]);
     expect(outlines.material.opacity).toBe(0.5);
     material.opacity = 0;
     expect(draw(outlines)).toEqual([]);
