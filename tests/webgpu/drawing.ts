@@ -75,5 +75,36 @@ export async function drawerOfNodes(
   };
 }
 
+const ofCanvases = new Map<'glsl' | 'forceWebGL', WebGLRenderer | WebGPURenderer>();
+
+/** The renderer of a transparent canvas. */
+async function rendererOfCanvas(drawn: 'glsl' | 'forceWebGL'): Promise<WebGLRenderer | WebGPURenderer> {
+  const known = ofCanvases.get(drawn);
+  if (known) return known;
+  const parameters = { antialias: false, alpha: true };
+  const made =
+    drawn === 'glsl' ? new WebGLRenderer(parameters) : new WebGPURenderer({ ...parameters, forceWebGL: true });
+  if (made instanceof WebGPURenderer) await made.init();
+  made.setSize(SIZE, SIZE, false);
+  ofCanvases.set(drawn, made);
+  return made;
+}
+
+/**
+ * Draws on a canvas, as a white page shows it. There `WebGLRenderer` blends sRGB, and `WebGPURenderer` linear light that it encodes at the
+ * end. Nodes are drawn with the WebGL 2 backend.
+ */
+export async function drawOnCanvas({ scene, camera }: Stage, drawn: 'glsl' | 'forceWebGL'): Promise<Pixels> {
+  const renderer = await rendererOfCanvas(drawn);
+  renderer.render(scene, camera);
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const read = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+  const pixels = new Uint8Array(4 * SIZE * SIZE);
+  gl.readPixels(0, 0, SIZE, SIZE, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, read);
+  return pixels.map((value, i) => value + 255 - pixels[i | 3]);
+}
+
 export const makeDrawer = async (drawn: Drawn, depth: Depth = 'plain'): Promise<Drawer> =>
   drawn === 'glsl' ? drawerInGlsl(depth) : drawerOfNodes(drawn, SIZE, depth);

@@ -1,12 +1,12 @@
 /** Draws scenes in GLSL on WebGLRenderer and of nodes on WebGPURenderer, and says how much the pictures differ. */
-import { Color, Mesh, MeshBasicMaterial, PCFShadowMap, SphereGeometry } from 'three';
+import { Color, type ColorRepresentation, Mesh, MeshBasicMaterial, PCFShadowMap, SphereGeometry } from 'three';
 
 import { HatchingMaterial } from 'three-hatching';
 import { HatchingNodeMaterial } from 'three-hatching/webgpu';
 import { lackOfWebGPU } from '../../tools/browser/lackOfWebGPU.js';
 import type { HatchingSpec } from '../gpu/hatchingSpec.js';
 import { specScene } from '../gpu/specScene.js';
-import { type Drawer, makeDrawer } from './drawing.js';
+import { type Drawer, drawOnCanvas, makeDrawer } from './drawing.js';
 import { knot } from './knot.js';
 import { type Comparison, compare, type Pixels, sideBySide } from './picturesOf.js';
 import type { Depth, Drawn, Kit, SceneCase, Stage } from './SceneCase.js';
@@ -87,6 +87,21 @@ async function measure(group: string, name: string, drawn: 'forceWebGL' | 'webgp
   const { pixels, background } = await glsl;
   const nodes = (await draw(found, drawn)).pixels;
   return { ...compare(pixels, nodes, background), picture: sideBySide(pixels, nodes) };
+}
+
+/** Compares pictures of a case on canvases, before this background or on transparent ones. */
+async function measureOnCanvas(group: string, name: string, background: ColorRepresentation | null): Promise<Compared> {
+  const found = groups.get(group)?.find((one) => one.name === name);
+  if (!found) throw new Error(`measureOnCanvas: there is no case "${name}" in cases/${group}.ts.`);
+  const pictures: Pixels[] = [];
+  for (const drawn of ['glsl', 'forceWebGL'] as const) {
+    const stage = await found.show(kitOf(drawn));
+    stage.scene.background = background === null ? null : new Color(background);
+    pictures.push(await drawOnCanvas(stage, drawn));
+    disposeOf(stage);
+  }
+  const [glsl, nodes] = pictures;
+  return { ...compare(glsl, nodes, [...glsl.subarray(0, 3)]), picture: sideBySide(glsl, nodes) };
 }
 
 /** A scene that is also compared with the reference in double precision. */
@@ -174,6 +189,7 @@ const page = {
     (groups.get(group) ?? []).map(({ name, onWebGPU = 'pixels', most }) => ({ name, onWebGPU, most })),
   measure,
   measureSpec,
+  measureOnCanvas,
 };
 
 declare global {

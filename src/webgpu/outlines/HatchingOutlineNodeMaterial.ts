@@ -6,8 +6,11 @@ import {
   Material,
   type MaterialParameters,
   type Mesh,
+  NormalBlending,
   type PerspectiveCamera,
-  type Vector4,
+  type RGB,
+  SRGBColorSpace,
+  Vector4,
   type WebGLRenderer,
 } from 'three';
 import { type NodeBuilder, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
@@ -38,6 +41,35 @@ import { clipSpine, type OutlineNodes, outlineNodes } from '../nodes/outlines/ou
 
 const NAME = 'HatchingOutlineNodeMaterial';
 
+/** Ink and paper of less contrast, out of 1, are blended as three.js does. */
+const LEAST_CONTRAST = 0.02;
+
+const encoded: RGB = { r: 0, g: 0, b: 0 };
+const grey = /* @__PURE__ */ new Color();
+
+/** The light of a grey in sRGB. */
+const lightOf = (value: number): number => grey.setRGB(value, value, value, SRGBColorSpace).r;
+
+/** The mean of the channels of a colour in sRGB. */
+function greyOf(color: Color): number {
+  color.getRGB(encoded, SRGBColorSpace);
+  return (encoded.r + encoded.g + encoded.b) / 3;
+}
+
+/**
+ * Writes what shaders compute opacities for a canvas from: the greys of paper and ink in sRGB, the light of the paper, and one by what the
+ * light of the ink differs from it; 0 where they differ too little.
+ *
+ * @param paper undefined where it is not known: then it is taken to be white, or black below light ink
+ */
+function writeCanvasBlend(ink: Color, paper: Color | undefined, uniform: Vector4): void {
+  const inkGrey = greyOf(ink);
+  const paperGrey = paper ? greyOf(paper) : Number(inkGrey < 0.5);
+  const light = lightOf(paperGrey);
+  const isClear = Math.abs(inkGrey - paperGrey) > LEAST_CONTRAST;
+  uniform.set(paperGrey, inkGrey, light, isClear ? 1 / (lightOf(inkGrey) - light) : 0);
+}
+
 export interface HatchingOutlineNodeMaterial
   extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'weights' | 'hidden'> {}
 
@@ -65,6 +97,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
     super();
     this.uniforms = { ...createOutlineUniforms(), isInstanced: { value: false }, isDeformed: { value: false } };
+    this.uniforms.canvasBlend = { value: new Vector4() };
     this.ink = new Color(HATCHING_OUTLINE_DEFAULTS.ink);
     defineOutlineNumbers(this, NAME, (name) => {
       if (name === 'wobble' || name === 'paperGrain') this.chooseNodes();
@@ -154,6 +187,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
    *
    * @param viewport the viewport in the render target, pixels from the lower left
    * @param look the fading of the mesh
+   * @param isEncodedLater whether colours are blended in linear light, and encoded for a canvas at the end
    * @internal
    */
   writeDraw(
@@ -162,6 +196,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     mesh: Mesh,
     viewport: Vector4,
     look: (Material & FadingLook) | null,
+    isEncodedLater: boolean,
   ): void {
     const u = this.uniforms;
     this.writeLook(renderer.getPixelRatio());
@@ -174,6 +209,9 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     writeSheet(u.sheet.value, camera, viewport, u.toothOffset.value);
     writeImportance(mesh, takesWeight(look), u);
     writeDrawState(this, u);
+    const { canvasBlend } = u;
+    if (!isEncodedLater || this.blending !== NormalBlending) canvasBlend.value.w = 0;
+    else writeCanvasBlend(this.ink, (look as { paper?: Color } | null)?.paper, canvasBlend.value);
   }
 
   /** Fog is that of the spine: the triangle that covers a piece faces the viewer. @internal */

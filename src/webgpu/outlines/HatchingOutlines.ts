@@ -1,11 +1,14 @@
 import {
   type BufferGeometry,
   type Camera,
+  ColorManagement,
   type InstancedMesh,
   type Material,
   type Mesh,
   type Object3D,
+  type RenderTarget,
   type Scene,
+  SRGBTransfer,
   Vector2,
   Vector4,
   type WebGLRenderer,
@@ -124,7 +127,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     this.writeEye(uniforms.eye.value, camera, mesh);
     uniforms.objectScale.value = meanScale(mesh.matrixWorld);
     writeViewport(renderer, drawnInto);
-    this.material.writeDraw(renderer, camera, mesh, drawnInto, fadingLookOf(mesh));
+    this.material.writeDraw(renderer, camera, mesh, drawnInto, fadingLookOf(mesh), isEncodedLater(renderer));
     // Suggestive contours may lie anywhere on surfaces that face the eye.
     const isAnywhere = this.isDeformed || weights.suggestiveContours > 0;
     const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);
@@ -195,6 +198,13 @@ function writeViewport(renderer: WebGPURenderer, viewport: Vector4): void {
   }
   viewport.floor();
   viewport.y = size.y - viewport.y - viewport.w;
+}
+
+/** Whether three.js blends linear light and encodes it for a canvas at the end. */
+function isEncodedLater(renderer: WebGPURenderer): boolean {
+  const target = renderer.getRenderTarget() as (RenderTarget & { isPostProcessingRenderTarget?: boolean }) | null;
+  if (!target?.isPostProcessingRenderTarget) return false;
+  return ColorManagement.getTransfer(renderer.outputColorSpace) === SRGBTransfer;
 }
 
 /** Whether a renderer is WebGPURenderer. Warns once of another. */

@@ -156,8 +156,8 @@ const OTHER_FUNCTIONS: Record<string, readonly string[]> = {
 const OTHER_UNIFORMS: Record<string, readonly string[]> = {
   // GLSL reads it in the chunk of the layout.
   'deformation.vert': ['triangleVertices'],
-  // three.js' own uniform, which nodes read in sceneDepth.
-  'outlines/outlines.frag': ['projectionMatrix'],
+  // three.js' own uniform, which nodes read in sceneDepth; and only WebGPURenderer blends linear light on a canvas.
+  'outlines/outlines.frag': ['projectionMatrix', 'canvasBlend'],
   // Nodes read a texture of rotations, which holds normals where there is no skin, and a uniform in place of the define DEFORMED.
   'outlines/points.glsl': ['deformedNormals', 'isDeformed'],
   // A uniform in place of the define USE_INSTANCING.
@@ -208,8 +208,8 @@ test('no chunk has two counterparts', () => {
 test('nodes read no uniform that no shader declares', () => {
   const declared = chunks.flatMap((chunk) => uniformsOf(readFileSync(`shaders/${chunk}`, 'utf8')));
   const strays = files.flatMap(uniformsOfNodes).filter((name) => !declared.includes(name));
-  // They are defines in GLSL, or derived from three.js' own uniforms.
-  expect(unique(strays).sort()).toEqual(['isDeformed', 'isInstanced', 'viewToObject']);
+  // They are defines in GLSL, or derived from three.js' own uniforms; and only WebGPURenderer blends linear light on a canvas.
+  expect(unique(strays).sort()).toEqual(['canvasBlend', 'isDeformed', 'isInstanced', 'viewToObject']);
 });
 
 describe.each(chunks.filter(hasCounterpart))('the counterpart of %s', (chunk) => {

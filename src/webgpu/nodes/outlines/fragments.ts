@@ -31,7 +31,7 @@ import {
   vTolerance,
 } from './varyings.js';
 
-const { abs, bool, clamp, Discard, distance, dot, float, floor, Fn, If, length, max, min, mix, select } = tsl;
+const { abs, bool, clamp, Discard, distance, dot, float, floor, Fn, If, length, max, min, mix, pow, select } = tsl;
 const { sin, smoothstep, vec2, vec3, vec4 } = tsl;
 const { ACROSS_BEND, ACROSS_BENT, DASH, FAINT, FINE_PHASE, GAP, HIDDEN_WEIGHT, STRAY_ACROSS } = OUTLINE_CONSTANTS;
 const { STRAY_FINELY, STRAY_SHARES, STRAY_UP, UP_BEND, UP_BENT, UP_PHASE, WHOLE_FROM } = OUTLINE_CONSTANTS;
@@ -172,6 +172,21 @@ export function onSpine({ WOBBLE }: OutlineDefines): OnSpine {
   return { spine, place, pixel, t };
 }
 
+const canvasBlend = /* @__PURE__ */ hatchingUniform('canvasBlend', 'vec4');
+
+/** An sRGB value as linear light. */
+const decoded = (grey: Value): Value =>
+  select(grey.lessThanEqual(0.04045), grey.div(12.92), pow(grey.add(0.055).div(1.055), 2.4));
+
+/**
+ * The opacity that gives in linear light, which WebGPURenderer blends for a canvas, the grey that `alpha` gives in sRGB, which
+ * WebGLRenderer blends there.
+ */
+function asOnCanvas(alpha: Value): Value {
+  const light = decoded(mix(canvasBlend.x, canvasBlend.y, alpha).toVar());
+  return select(canvasBlend.w.equal(0), alpha, light.sub(canvasBlend.z).mul(canvasBlend.w)).toVar();
+}
+
 /** The ink, and the share of a pixel that it covers. */
 export const fragments = (defines: OutlineDefines): Value =>
   Fn((builder) => {
@@ -215,6 +230,8 @@ export const fragments = (defines: OutlineDefines): Value =>
         }
       });
     });
-    Discard(coverage.mul(opacity).lessThan(0.002));
-    return vec4(ink, coverage);
+    const alpha = coverage.mul(opacity).toVar();
+    Discard(alpha.lessThan(0.002));
+    // three.js multiplies by the opacity of the material.
+    return vec4(ink, asOnCanvas(alpha).div(opacity));
   })();
