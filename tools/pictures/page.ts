@@ -8,7 +8,6 @@ import {
   PCFShadowMap,
   PlaneGeometry,
   Scene,
-  TorusKnotGeometry,
   Vector3,
   WebGLRenderer,
 } from 'three';
@@ -110,29 +109,6 @@ function belowSwatches(drawing: HTMLCanvasElement, name: ExampleHandName, { pres
   drawSwatches(context, exampleHand(name), width, String(ink));
   context.drawImage(drawing, 0, above);
   return sheet;
-}
-
-/**
- * Draws what the first sample of the README draws.
- *
- * @param width of the picture in CSS pixels, of which each is two pixels wide
- * @returns the picture as the address of a PNG
- */
-async function drawThreeLines(width: number, height: number): Promise<string> {
-  const scene = new Scene().add(new Mesh(new TorusKnotGeometry(0.7, 0.24, 200, 32), new MeshBasicMaterial()));
-  const camera = createCamera();
-  camera.aspect = width / height;
-  camera.position.z = 5.4;
-  camera.updateProjectionMatrix();
-  const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
-  renderer.setClearColor(presets.pen.material.paper ?? 'white');
-  renderer.setSize(width, height);
-  scene.add(new DirectionalLight(0xffffff, Math.PI));
-  await applyHatching(scene, 'pen');
-  renderer.render(scene, camera);
-  // It is drawn for a second time, with the lists of contours that the worker has made meanwhile.
-  renderer.render(scene, camera);
-  return renderer.domElement.toDataURL('image/png');
 }
 
 /** A step of a picture in motion. */
@@ -323,8 +299,7 @@ declare global {
   interface Window {
     drawPicture?: typeof drawPicture;
     drawUnder?: typeof drawUnder;
-    drawThreeLines?: typeof drawThreeLines;
     drawMotion?: typeof drawMotion;
   }
 }
-Object.assign(window, { drawPicture, drawUnder, drawThreeLines, drawMotion });
+Object.assign(window, { drawPicture, drawUnder, drawMotion });

@@ -18,6 +18,7 @@ import { drawExamples } from './examples.mjs';
 import { drawFlat } from './flat.mjs';
 import { drawGallery } from './gallery.mjs';
 import { lookPlans, movingHero, plansOf, SUBJECT_FILES } from './plans.mjs';
+import { readmeLines, THREE_LINES_SIZE } from './readmeLines.mjs';
 import { sheetOf } from './sheetOf.mjs';
 import { drawShow } from './show.mjs';
 
@@ -70,7 +71,11 @@ try {
   }
   if (wanted.includes('looks')) await drawLooks(page);
   if (wanted.length === 0 || wanted.includes('three-lines')) {
-    const address = await page.evaluate(() => window.drawThreeLines(840, 560));
+    const lines = await browser.newPage();
+    await lines.goto(`${server.resolvedUrls.local[0]}tools/pictures/threeLines.html`);
+    await lines.waitForFunction(() => window.drawThreeLines !== undefined);
+    const draw = ([code, [width, height]]) => window.drawThreeLines(code, width, height);
+    const address = await lines.evaluate(draw, [readmeLines(), THREE_LINES_SIZE]);
     const file = writePalettePng(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')));
     writeFileSync(join(root, 'docs/three-lines.png'), file);
     console.log(`three-lines: ${Math.round(file.length / 1000)} kB`);
