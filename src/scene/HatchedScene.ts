@@ -202,6 +202,14 @@ export class HatchedScene {
     for (const one of this.style.disposables.splice(0)) one.dispose();
   }
 
+  /** Gives meshes whose former geometry or material was set back, as by helpers that swap materials for a moment, their new look again. @internal */
+  dress(): void {
+    for (const { before, after } of this.parts.values()) {
+      const { mesh, geometry, material } = after;
+      if (mesh.geometry !== geometry || mesh.material !== material) exchangeLook(before, after);
+    }
+  }
+
   /** Whether `mesh` is among the hatched meshes. @internal */
   holds(mesh: Mesh): boolean {
     return this.parts.has(identityOf(mesh));

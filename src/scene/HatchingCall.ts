@@ -72,7 +72,7 @@ export interface HatchingCall {
   /** Makes levels of detail, if they are requested. */
   detail: MakeLevels | null;
   /** Baked geometries, by their sources, which need no other bake if nothing has changed. */
-  reusable: ReadonlyMap<BufferGeometry, BakedGeometry>;
+  reusable: Map<BufferGeometry, BakedGeometry>;
   /** Whether an error is to be thrown if no mesh could be hatched. */
   mustHatch: boolean;
   /** Everything that was made: freed if the call fails. */

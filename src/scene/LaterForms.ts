@@ -38,6 +38,8 @@ interface CallParts {
   geometries: Set<BufferGeometry>;
   firstFrame: FirstFrame | null;
   detail: MakeLevels | null;
+  /** Called when meshes draw with a geometry that was baked later. */
+  onFormed(source: BufferGeometry, geometry: BufferGeometry, plan: GeometryPlan): void;
 }
 
 /** A source geometry whose lines follow the form, or will. */
@@ -108,9 +110,10 @@ export class LaterForms {
     for (const [source, plan] of this.plans) {
       const drawn = baked.get(source);
       if (!drawn || drawn instanceof Error) continue;
-      const isAwaited = isLater(source, plan);
+      const hasForm = isFormed(drawn);
+      const isAwaited = isLater(source, plan) && !hasForm;
       if (isAwaited) expectForm(drawn);
-      else if (!isFormed(drawn)) continue;
+      else if (!hasForm) continue;
       this.fields.push({ source, plan, drawn, isAwaited });
     }
   }
@@ -263,6 +266,7 @@ export class LaterForms {
       field.hideDetail = showDetail.get(to)?.();
       field.drawn = to;
       field.isAwaited = false;
+      this.call.onFormed(field.source, to, field.plan);
       this.watch(field);
     }
     await fadeIn(

@@ -47,7 +47,7 @@ export async function makeLooks(call: HatchingCall, old: OldLooks): Promise<Made
   const parts = [isMapMade && SHARES.map, firstFrame && SHARES.frame, call.detail && SHARES.detail].map(Number);
   const bakeShare = 1 - parts.reduce((sum, share) => sum + share);
   const [onBake, onMap, onFrame, onDetail] = progressParts(onProgress, [bakeShare, ...parts]);
-  const { reused, rest } = reusableOf(forms?.atOnce ?? plans, call, prepare);
+  const { reused, rest } = reusableOf(plans, forms?.atOnce ?? plans, call, prepare);
   const [fresh, maps] = await sideBySide(
     signal,
     (stop) =>
@@ -111,17 +111,19 @@ function bakeKey(
 /** Divides geometries to bake into those whose baked geometry exists already, and the rest. */
 function reusableOf(
   plans: ReadonlyMap<BufferGeometry, GeometryPlan>,
+  atOnce: ReadonlyMap<BufferGeometry, GeometryPlan>,
   { reusable, detail }: HatchingCall,
   prepare: PrepareHatchingGeometryOptions,
 ): { reused: Map<BufferGeometry, BufferGeometry>; rest: ReadonlyMap<BufferGeometry, GeometryPlan> } {
   const reused = new Map<BufferGeometry, BufferGeometry>();
-  const rest = new Map(plans);
+  const rest = new Map(atOnce);
   // Levels of detail change the index of a geometry.
   if (detail) return { reused, rest };
-  for (const [source, plan] of plans) {
+  for (const [source, plan] of atOnce) {
     const known = reusable.get(source);
-    if (!known || known.positions !== source.attributes.position || known.key !== bakeKey(source, plan, prepare))
-      continue;
+    if (known?.positions !== source.attributes.position) continue;
+    // A form that is baked later may be there already.
+    if (![plan, plans.get(source)!].some((one) => known.key === bakeKey(source, one, prepare))) continue;
     reused.set(source, known.geometry);
     rest.delete(source);
   }
@@ -171,7 +173,11 @@ async function planLooks(
   const groups = await runSliced(formGroups(planned, plans), { signal });
   for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
   const crossing = crossingMaterials(planned, options);
-  const forms = new LaterForms(plans, crossing, prepare, { ...options, geometries, firstFrame, detail });
+  const onFormed = (source: BufferGeometry, geometry: BufferGeometry, plan: GeometryPlan): void => {
+    const formed = new Map([[source, geometry]]);
+    for (const [, one] of bakesToKeep(formed, new Map([[source, plan]]), call, prepare)) call.reusable.set(source, one);
+  };
+  const forms = new LaterForms(plans, crossing, prepare, { ...options, geometries, firstFrame, detail, onFormed });
   return { replacer, planned, plans, forms };
 }
 
