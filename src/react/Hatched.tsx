@@ -1,23 +1,30 @@
 import { type ThreeElements, useFrame, useThree } from '@react-three/fiber';
-import { Children, type ReactElement, type ReactNode, useEffect, useRef, useState } from 'react';
+import {
+  Children,
+  type ReactElement,
+  type ReactNode,
+  type Ref,
+  useEffect,
+  useImperativeHandle,
+  useRef,
+  useState,
+} from 'react';
 import type { Group, Object3D } from 'three';
 import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial } from 'three-hatching';
 import { Hatcher, type HatcherEvents } from './Hatcher.js';
+import { type HatchedOptions, NO_OPTIONS } from './hatchedOptions.js';
 
-/** The options of `applyHatching` that are props of `<Hatched>`, which sets the others itself. */
-export type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'renderer' | 'camera' | 'invalidate'>;
 /** The group props of `<Hatched>`. */
 export type HatchedGroupProps = Omit<
   ThreeElements['group'],
-  keyof ApplyHatchingOptions | 'object' | 'onError' | 'children'
+  keyof ApplyHatchingOptions | 'hatched' | 'object' | 'onError' | 'children'
 >;
 
 /**
  * The props of `<Hatched>`: the options of `applyHatching`, those below, and all props of a group.
  *
- * Options may change at any time. Parameters of `material` and `outlines`, and the map, take effect in the next frame. If the geometry
- * must be prepared again, the last look is drawn until it is ready. A new function alone changes nothing: the latest function is called
- * when it is needed.
+ * Options may change at any time. The last look is drawn until the next one is ready, which takes longer only if geometry must be
+ * prepared or a map drawn. A new function alone changes nothing: the latest function is called when it is needed.
  */
 export interface HatchedProps extends HatchedOptions, HatchedGroupProps {
   children?: ReactNode;
@@ -28,31 +35,16 @@ export interface HatchedProps extends HatchedOptions, HatchedGroupProps {
   object?: Object3D | null | undefined;
   /** Whether the children are shown with their own materials until they are hatched. Default: false, they are hidden. */
   showUnhatched?: boolean | undefined;
-  /** Called whenever the scene was hatched or restyled. `hatched.skipped` lists the meshes that were left alone, and why. */
+  /**
+   * Receives the handle of the hatched scene, which stays the same as long as the component is mounted: `hatched.materialOf(mesh)`,
+   * `hatched.background`. It is `null` until the scene is hatched for the first time. Change the look by props, not by `setPreset`.
+   */
+  hatched?: Ref<HatchedScene> | undefined;
+  /** Called whenever the scene was hatched or changed. `hatched.skipped` lists the meshes that were left alone, and why. */
   onHatched?: ((hatched: HatchedScene) => void) | undefined;
   /** Called if the scene cannot be hatched; it is then shown unhatched. By default the error goes to the nearest error boundary. */
   onError?: ((error: unknown) => void) | undefined;
 }
-
-const OPTION_NAMES: Record<keyof HatchedOptions, true> = {
-  preset: true,
-  material: true,
-  outlines: true,
-  form: true,
-  tonalArtMap: true,
-  tilesPerWorldUnit: true,
-  adjacency: true,
-  layout: true,
-  creaseAngle: true,
-  smoothingRadius: true,
-  weldTolerance: true,
-  detail: true,
-  filter: true,
-  onGeometry: true,
-  onFormProgress: true,
-  onProgress: true,
-  createWorker: true,
-};
 
 /** Separates the options of hatching from the props of the group. */
 function splitProps(props: HatchedOptions & HatchedGroupProps): {
@@ -61,7 +53,7 @@ function splitProps(props: HatchedOptions & HatchedGroupProps): {
 } {
   const options: Record<string, unknown> = {};
   const group: Record<string, unknown> = {};
-  for (const [name, value] of Object.entries(props)) (name in OPTION_NAMES ? options : group)[name] = value;
+  for (const [name, value] of Object.entries(props)) (name in NO_OPTIONS ? options : group)[name] = value;
   return { options, group };
 }
 
@@ -96,6 +88,7 @@ export function Hatched({
   object,
   children,
   showUnhatched = false,
+  hatched: handle,
   onHatched,
   onError,
   ...others
@@ -107,6 +100,8 @@ export function Hatched({
   const invalidate = useThree((state) => state.invalidate);
   const get = useThree((state) => state.get);
   const [failure, setFailure] = useState<{ error: unknown } | null>(null);
+  const [scene, setScene] = useState<HatchedScene | null>(null);
+  useImperativeHandle(handle, () => scene!, [scene]);
   const latest = useRef({ onHatched, onError, showUnhatched });
 
   useEffect(() => {
@@ -117,6 +112,7 @@ export function Hatched({
     const root = content.current!;
     const events: HatcherEvents = {
       onHatched: (hatched) => {
+        setScene(hatched);
         latest.current.onHatched?.(hatched);
         invalidate();
       },

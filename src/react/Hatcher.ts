@@ -1,13 +1,7 @@
 import type { Material, Mesh, Object3D } from 'three';
-import {
-  type ApplyHatchingOptions,
-  applyHatching,
-  type HatchedScene,
-  type TonalArtMap,
-  withPreset,
-} from 'three-hatching';
-import { leftAlone, needsMap } from 'three-hatching/facts';
-import { restyle } from './restyle.js';
+import { type ApplyHatchingOptions, applyHatching, type HatchedScene } from 'three-hatching';
+import { leftAlone } from 'three-hatching/facts';
+import { type HatchedOptions, NO_OPTIONS } from './hatchedOptions.js';
 import { sameValue } from './sameValue.js';
 import { WantedMap } from './sharedMaps.js';
 
@@ -38,27 +32,25 @@ const isOutlines = (object: Object3D): boolean => 'isHatchingOutlines' in object
 
 /** The listeners of a `Hatcher`. */
 export interface HatcherEvents {
-  /** Called when the scene was hatched or restyled. */
+  /** Called when the scene was hatched or changed. */
   onHatched(hatched: HatchedScene): void;
   /** Called when a frame must be drawn because lines change by themselves. */
   invalidate(): void;
-  /** Called when the scene could not be hatched; it is unchanged. */
+  /** Called when the scene could not be hatched or changed; it is as before. */
   onError(error: unknown): void;
 }
 
 /**
- * Keeps a scene hatched while its options and its meshes change. If new values suffice, the scene is restyled; otherwise it is hatched
- * again. The last look is drawn until the next one is ready.
+ * Keeps a scene hatched while its options and its meshes change, one change after another. The last look is drawn until the next one is
+ * ready.
  */
 export class Hatcher {
-  private wanted: ApplyHatchingOptions | undefined;
+  private wanted: HatchedOptions | undefined;
   /** The options of the last attempt, successful or not. */
-  private tried: ApplyHatchingOptions | undefined;
+  private tried: HatchedOptions | undefined;
   private hatched: HatchedScene | undefined;
-  /** The options that the scene is hatched with. */
-  private applied: ApplyHatchingOptions | undefined;
-  private map: TonalArtMap | null = null;
-  private releaseMap = (): void => {};
+  /** The options of the present look, and its map. */
+  private applied: { wanted: HatchedOptions; map: WantedMap } | undefined;
   private readonly snapshot = new SceneSnapshot();
   private readonly abort = new AbortController();
   private readonly hidden = new HiddenMeshes();
@@ -76,18 +68,22 @@ export class Hatcher {
   ) {}
 
   /** Hatches the scene with these options. A new function alone changes nothing; the latest function is called when it is needed. */
-  update(options: ApplyHatchingOptions): void {
+  update(options: HatchedOptions): void {
     if (this.wanted && sameValue(this.wanted, options)) {
       Object.assign(this.wanted, options);
       return;
     }
-    this.wanted = options;
+    // An option that is left out returns to its default.
+    this.wanted = { ...NO_OPTIONS, ...options };
     this.bringUpToDate();
   }
 
-  /** Copies changes of materials, and checks whether the scene has changed since it was hatched. Must be called before each frame. */
+  /** Checks whether the scene has changed since it was hatched. Must be called before each frame. */
   follow(): void {
     if (!this.wanted || !this.snapshot.differs(this.root)) return;
+    // Helpers give meshes other materials for a moment.
+    this.hatched?.dress();
+    if (!this.snapshot.differs(this.root)) return;
     // A change during the work is hatched right after it.
     if (this.isBusy) this.hideUnhatched(this.wanted);
     else this.bringUpToDate();
@@ -99,7 +95,7 @@ export class Hatcher {
     this.hidden.showAll();
     this.hatched?.dispose();
     this.hatched = undefined;
-    this.releaseMap();
+    this.applied?.map.release();
   }
 
   private async bringUpToDate(): Promise<void> {
@@ -122,70 +118,63 @@ export class Hatcher {
     return this.tried === this.wanted && !this.snapshot.differs(this.root);
   }
 
-  private async take(wanted: ApplyHatchingOptions): Promise<void> {
+  private async take(wanted: HatchedOptions): Promise<void> {
     this.tried = wanted;
-    const options = resolve(wanted);
-    this.hideUnhatched(options);
-    const map = new WantedMap(options);
+    this.hideUnhatched(wanted);
+    this.snapshot.take(this.root);
+    // React may add helpers, and meshes without geometry, before there is anything to hatch.
+    if (!this.hatched && !meshesOf(this.root).some((mesh) => isWanted(mesh, wanted))) return;
     try {
-      if (this.drawsWithMap(options)) await map.take();
-      this.abort.signal.throwIfAborted();
-      if (this.restyled(options, map.map)) await Promise.all(this.hatched!.materials.map(({ ready }) => ready));
-      else await this.hatch(options, map);
-      this.abort.signal.throwIfAborted();
+      if (this.hatched && this.applied?.wanted === wanted) await this.bringIn(this.hatched, wanted);
+      else await this.restyle(wanted);
     } catch (error) {
-      map.release();
       // A change during the work may have caused the error. The caller sees the change, and tries again.
       if (!this.abort.signal.aborted && this.snapshot.differs(this.root)) return;
       throw error;
     }
-    this.releaseMap();
-    this.map = map.map;
-    this.releaseMap = map.release;
-    this.applied = options;
+    this.takeLooks();
+    this.hidden.showAll();
     this.events.onHatched(this.hatched!);
   }
 
-  /** Whether the hatched scene would need a map with these options. For an unhatched scene `applyHatching` decides that. */
-  private drawsWithMap({ material = {} }: ApplyHatchingOptions): boolean {
-    if (!this.hatched) return false;
-    return typeof material === 'function' ? this.hatched.materials.some(needsMap) : needsMap(material);
-  }
-
-  private restyled(options: ApplyHatchingOptions, map: TonalArtMap | null): boolean {
-    if (!this.hatched || !this.applied || this.snapshot.differs(this.root)) return false;
-    if (!restyle(this.hatched, this.applied, options)) return false;
-    for (const material of this.hatched.materials) {
-      const { tonalArtMap } = material;
-      if (tonalArtMap === this.map || typeof tonalArtMap === 'string') material.tonalArtMap = map;
-    }
-    return true;
-  }
-
-  private async hatch(options: ApplyHatchingOptions, map: WantedMap): Promise<void> {
+  /** Hatches what was added, and releases what is gone. */
+  private async bringIn(hatched: HatchedScene, wanted: HatchedOptions): Promise<void> {
     const { signal } = this.abort;
-    const { filter = () => true } = options;
-    this.snapshot.take(this.root);
-    const isEmpty = meshesOf(this.root).length === 0;
-    const wanted: ApplyHatchingOptions = {
-      ...options,
-      ...this.drawnBy(),
-      tonalArtMap: map.source,
-      // React may add a mesh before its geometry, and a helper before any mesh to hatch.
-      filter: (mesh) => !isEmpty && hasPositions(mesh) && filter(mesh),
-      invalidate: () => this.takeFormed(),
-      signal,
-    };
-    const hatched = this.hatched ? await this.hatched.setPreset(wanted) : await applyHatching(this.root, wanted);
-    if (signal.aborted) hatched.dispose();
+    await hatched.update({ signal, onProgress: (progress) => wanted.onProgress?.(progress) });
     signal.throwIfAborted();
-    this.hatched = hatched;
+  }
+
+  /** Hatches the scene, or gives it another look. */
+  private async restyle(wanted: HatchedOptions): Promise<void> {
+    const { signal } = this.abort;
+    const map = new WantedMap(wanted);
+    try {
+      const options: ApplyHatchingOptions = {
+        ...withLatestFunctions(wanted),
+        ...this.drawnBy(),
+        tonalArtMap: map.source,
+        filter: (mesh) => isWanted(mesh, wanted),
+        invalidate: () => this.takeFormed(),
+        signal,
+      };
+      const hatched = await (this.hatched?.setPreset(options) ?? applyHatching(this.root, options));
+      if (signal.aborted) hatched.dispose();
+      signal.throwIfAborted();
+      this.hatched = hatched;
+    } catch (error) {
+      map.release();
+      throw error;
+    }
+    this.applied?.map.release();
+    this.applied = { wanted, map };
+  }
+
+  /** Accepts the looks that the scene was given. If it has changed meanwhile, the caller sees the change, and hatches it again. */
+  private takeLooks(): void {
     const hasChanged =
       !this.snapshot.hasMeshesOf(this.root) ||
-      hatched.skipped.some(({ mesh, error }) => error && this.snapshot.looksOtherwise(mesh));
-    // If the snapshot is unchanged, the caller sees the change, and hatches the scene again.
+      this.hatched!.skipped.some(({ mesh, error }) => error && this.snapshot.looksOtherwise(mesh));
     if (!hasChanged) this.snapshot.take(this.root);
-    this.hidden.showAll();
   }
 
   /** Accepts geometries that the hatched scene has set on meshes. */
@@ -194,17 +183,29 @@ export class Hatcher {
     this.events.invalidate();
   }
 
-  private hideUnhatched({ filter = () => true }: ApplyHatchingOptions): void {
+  private hideUnhatched({ filter = () => true }: HatchedOptions): void {
     for (const mesh of meshesOf(this.root)) {
       if (!this.snapshot.looksOtherwise(mesh) || !filter(mesh)) continue;
       if (this.hatched) this.hidden.hideOutlines(mesh);
-      if (!this.showsUnhatched && !('isHatchingMaterial' in mesh.material)) this.hidden.hide(mesh);
+      if (!this.showsUnhatched && !isHatching(mesh)) this.hidden.hide(mesh);
     }
   }
 }
 
-const resolve = (options: ApplyHatchingOptions): ApplyHatchingOptions =>
-  options.preset === undefined ? options : withPreset(options.preset, options);
+/** The options, whose functions call those that the object has then. */
+const withLatestFunctions = (wanted: HatchedOptions): HatchedOptions =>
+  Object.fromEntries(
+    Object.entries(wanted).map(([name, value]) => [
+      name,
+      typeof value === 'function' ? (...given: unknown[]) => Reflect.get(wanted, name)(...given) : value,
+    ]),
+  );
+
+/** Whether a mesh is to be hatched. React may add it before its geometry. */
+const isWanted = (mesh: Mesh, { filter = () => true }: HatchedOptions): boolean => hasPositions(mesh) && filter(mesh);
+
+/** Whether a mesh has a hatching material. It has none before React attaches it. */
+const isHatching = ({ material }: Mesh): boolean => Boolean(material) && 'isHatchingMaterial' in material;
 
 const hasPositions = ({ geometry }: Mesh): boolean => (geometry?.attributes.position?.count ?? 0) > 0;
 

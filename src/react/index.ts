@@ -4,9 +4,10 @@
  * @module three-hatching/react
  */
 
-export type { HatchedGroupProps, HatchedOptions, HatchedProps } from './Hatched.js';
+export type { HatchedGroupProps, HatchedProps } from './Hatched.js';
 export { Hatched } from './Hatched.js';
 export { HatchingOutlines, type HatchingOutlinesProps } from './HatchingOutlines.js';
+export type { HatchedOptions } from './hatchedOptions.js';
 export { type HatchingGeometryOptions, useHatchingGeometry, useTonalArtMap } from './hooks.js';
 export type { MapAddress, SharedMapOptions, SharedMapSource } from './sharedMaps.js';
 

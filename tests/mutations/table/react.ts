@@ -13,6 +13,28 @@ export const react: readonly Mutation[] = [
     },
   },
   {
+    name: 'an option that is left out keeps its value',
+    file: 'src/react/Hatcher.ts',
+    find: '{ ...NO_OPTIONS, ...options }',
+    replace: '{ ...options }',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/react/Hatcher.test.ts',
+      title: 'a technique that needs other geometry, other creases and other options of the bake hatch anew',
+    },
+  },
+  {
+    name: 'a form that was baked later is baked again with every change',
+    file: 'src/scene/makeLooks.ts',
+    find: '[plan, plans.get(source)!].some(',
+    replace: '[plan].some(',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/react/Hatcher.test.ts',
+      title: 'a large mesh that follows the form only later is drawn once more, and not hatched again',
+    },
+  },
+  {
     name: 'lists differ though they hold the same',
     file: 'src/react/sameValue.ts',
     find: 'Array.isArray(a) && Array.isArray(b)',

@@ -4,6 +4,7 @@ import {
   type BufferGeometry,
   DoubleSide,
   Group,
+  InstancedMesh,
   type Material,
   Mesh,
   MeshBasicMaterial,
@@ -14,7 +15,6 @@ import {
 } from 'three';
 import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets, TonalArtMap } from 'three-hatching';
 import { expect, test, vi } from 'vitest';
-import { noteFormAngle } from '../../../src/material/geometry/formAngles.js';
 import { Hatcher } from '../../../src/react/Hatcher.js';
 import { eventually } from '../patience.js';
 
@@ -115,7 +115,9 @@ test('strokes that come to follow the form hatch anew, and turn across it or to 
   }
   const [light, form, across, atAngle, lightAgain, lines] = geometries;
   expect(form).not.toBe(light);
-  expect([across, atAngle, lightAgain]).toEqual([form, form, form]);
+  expect(across).toBe(form);
+  expect(atAngle).toBe(form);
+  expect(lightAgain).not.toBe(form);
   expect(lines).not.toBe(form);
   expect(lines.hasAttribute('formValue')).toBe(true);
 });
@@ -123,24 +125,22 @@ test('strokes that come to follow the form hatch anew, and turn across it or to 
 test('a technique that needs other geometry, other creases and other options of the bake hatch anew', async () => {
   const { mesh, hatcher, next } = atWork({ preset: 'technical' });
   await next();
-  for (const options of [
-    { preset: 'technical', outlines: { featureAngle: 1 } },
-    { preset: 'technical', outlines: false },
-    { preset: 'technical', outlines: false, material: { tilesPerObjectUnit: 2 } },
-    { preset: 'technical', outlines: false },
-    { preset: 'technical', outlines: false, smoothingRadius: 0.1 },
-    {
-      preset: 'technical',
-      outlines: false,
-      smoothingRadius: 0.1,
-      material: { technique: 'adjacency' },
-      tonalArtMap: SMALL_MAP,
-    },
-  ] as const) {
+  const plain = { preset: 'technical', outlines: false } as const;
+  const rounded = { ...plain, smoothingRadius: 0.1 };
+  for (const [options, isBaked] of [
+    [{ preset: 'technical', outlines: { featureAngle: 1 } }, true],
+    [plain, true],
+    [{ ...plain, material: { tilesPerObjectUnit: 2 } }, false],
+    [plain, false],
+    [rounded, true],
+    // An option that is left out returns to its default.
+    [plain, true],
+    [{ ...rounded, material: { technique: 'adjacency' }, tonalArtMap: SMALL_MAP }, true],
+  ] as [ApplyHatchingOptions, boolean][]) {
     const before = mesh.geometry;
     hatcher.update(options);
     await next();
-    expect(mesh.geometry).not.toBe(before);
+    expect(mesh.geometry !== before, JSON.stringify(options)).toBe(isBaked);
   }
   expect(mesh.geometry.userData.hatching.layout).toBe('corner');
   expect(mesh.children).toEqual([]);
@@ -167,7 +167,7 @@ test('a map is drawn once something is drawn with it', async () => {
     await next();
     expect(mesh.geometry === geometry, technique).toBe(technique !== 'adjacency');
     const map = materialOf(mesh).tonalArtMap;
-    if (technique === 'engraved') expect(map).toBe(null);
+    if (technique === 'engraved') expect(map).toBe('hatching');
     else expect(map).toBeInstanceOf(TonalArtMap);
   }
   expect([new Set(shared.mock.results.map(({ value }) => value)).size, errors]).toEqual([1, []]);
@@ -306,14 +306,17 @@ test('changes within a material, by state or in place, are followed, and nothing
   const map = new Texture();
   Object.assign(own, { opacity: 0.5, transparent: true, map, wireframe: true, visible: false, side: BackSide });
   hatcher.follow();
+  // three.js asks for it before it draws.
+  expect(material.visible).toBe(false);
   expect(material.color.getHexString()).toBe('ff69b4');
-  expect(material).toMatchObject({ opacity: 0.5, transparent: true, map, wireframe: true, visible: false });
+  expect(material).toMatchObject({ opacity: 0.5, transparent: true, map, wireframe: true });
   // Props of <Hatched>, and values set on the new material, stay.
   expect(material.side).toBe(DoubleSide);
   material.color.set('navy');
   own.color.set('orange');
   own.map = null;
   hatcher.follow();
+  expect(material.visible).toBe(false);
   expect([material.color.getHexString(), material.map]).toEqual(['000080', null]);
   expect([mesh.geometry, mesh.material, hatched.length]).toEqual([geometry, material, 1]);
 });
@@ -372,24 +375,62 @@ test('a large mesh that follows the form only later is drawn once more, and not 
   expect(hatched).toHaveLength(3);
 });
 
-test('at another angle of crossing lines geometry is baked anew while the former is drawn, and the scene is not hatched again', async () => {
-  const { mesh, hatcher, hatched, formed, next } = atWork({ preset: 'technical' });
+test('at another angle of crossing lines geometry is baked anew, and with other values it stays', async () => {
+  const { mesh, hatcher, hatched, next } = atWork({ preset: 'technical' });
   await next();
   mesh.geometry = new TorusGeometry(1, 0.4, 8, 16);
   const material = { technique: 'engraved', lineField: 'form', crossAngle: 1 } as const;
-  hatcher.update({ material });
-  await next();
-  const { geometry } = mesh;
-  hatcher.update({ material: { ...material, crossAngle: 1.2 } });
-  await next();
-  expect(mesh.geometry).toBe(geometry);
-  // The calls of a frame.
-  noteFormAngle(geometry, materialOf(mesh));
-  await formed;
-  expect(mesh.geometry).not.toBe(geometry);
-  hatcher.follow();
-  hatcher.update({ material: { ...material, crossAngle: 1.2, ink: '#123456' } });
-  await next();
+  const geometries = [];
+  for (const change of [{}, { crossAngle: 1.2 }, { crossAngle: 1.2, ink: '#123456' }]) {
+    hatcher.update({ material: { ...material, ...change } });
+    await next();
+    geometries.push(mesh.geometry);
+  }
+  const [first, turned, coloured] = geometries;
+  expect(turned).not.toBe(first);
+  expect(coloured).toBe(turned);
   expect(materialOf(mesh).ink.getHexString()).toBe('123456');
   expect(hatched).toHaveLength(4);
+});
+
+test('one handle serves all looks: no mesh is unhatched in between, and its background is that of the look', async () => {
+  const { mesh, hatcher, hatched, next } = atWork({ preset: 'pen', tonalArtMap: SMALL_MAP });
+  await next();
+  const [handle] = hatched;
+  const looks: unknown[] = [];
+  for (const preset of ['chalk', 'engraving', 'technical', 'pen'] as const) {
+    hatcher.update({ preset, tonalArtMap: SMALL_MAP });
+    while (hatched.length === looks.length + 1) {
+      expect([mesh.material, mesh.layers.mask]).toEqual([handle.materialOf(mesh), 1]);
+      await new Promise((go) => setTimeout(go));
+    }
+    expect(hatched.at(-1)).toBe(handle);
+    expect(handle.background.equals(materialOf(mesh).paper)).toBe(true);
+    looks.push(`#${materialOf(mesh).paper.getHexString()}`);
+  }
+  expect(looks).toEqual(
+    ['chalk', 'engraving', 'technical', 'pen'].map((name) => presets[name as 'pen'].material.paper),
+  );
+  expect(mesh.children).toHaveLength(1);
+});
+
+test('meshes without geometry and material, as React leaves those that it removes, are waited with and given back', async () => {
+  const { mesh, root, hatcher, errors, hatched, next } = atWork({ preset: 'technical' });
+  const late = new InstancedMesh(null! as BufferGeometry, null! as Material, 2);
+  late.visible = false;
+  root.add(late);
+  hatcher.follow();
+  await next();
+  Object.assign(late, { geometry: new BoxGeometry(), material: new MeshBasicMaterial(), visible: true });
+  hatcher.follow();
+  await next();
+  expect(late.material).toBe(hatched[0].materialOf(late));
+  // A removal, and then another one in the frame in which everything is unmounted.
+  Object.assign(late, { geometry: null, material: null });
+  late.removeFromParent();
+  hatcher.follow();
+  await next();
+  Object.assign(mesh, { geometry: null, material: null });
+  hatcher.dispose();
+  expect([late.geometry, late.material, mesh.geometry, mesh.material, errors]).toEqual([null, null, null, null, []]);
 });
