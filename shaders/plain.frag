@@ -1,4 +1,4 @@
-// Plain paper in the colour of the surface, drawn while the code of a technique or a medium is loading.
+// Plain paper in the colour of the surface, drawn while the code of a technique is loading.
 uniform vec3 diffuse;
 uniform vec3 paper;
 uniform float paperOpacity;

@@ -20,6 +20,7 @@ export type {
   HatchingValue,
   NumberRange,
   PlainValue,
+  TechniqueFamily,
   UsedByTechniques,
 } from './look/HatchingProperty.js';
 export { HATCHING_FACTS } from './look/hatchingFacts.js';
@@ -27,6 +28,7 @@ export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './look/hatchingPropertie
 export { counts, measureOf, pixelPower, scaledSizes } from './look/measuredFacts.js';
 export { defaultOf } from './look/presetParameters.js';
 export {
+  drawsLines,
   followsForm,
   formOf,
   type HatchingLook,

@@ -57,12 +57,12 @@ export { type HatchingPreset, type PresetName, presets, withPreset } from './sce
 export type { SkippedMesh } from './scene/SkippedMesh.js';
 export { scalePreset } from './scene/scalePreset.js';
 export {
-  type EngravedHand,
-  type EngravedHandOptions,
-  engravedHand,
   type Hand,
+  type HandLines,
+  type HandLinesOptions,
   type HandNumbers,
   type HandStroke,
+  handLines,
   type SwatchTone,
 } from './strokes/hand/Hand.js';
 export { type LearnHandOptions, learnHand } from './strokes/hand/learnHand.js';

@@ -1,4 +1,5 @@
 import type { HatchingMaterialParameters, TonalArtMap } from 'three-hatching';
+import { drawsLines, needsAdjacency } from 'three-hatching/facts';
 
 /** A plain look for every technique: the tone of the light, in one layer, tangent to the light. */
 const PLAIN: HatchingMaterialParameters = {
@@ -21,13 +22,12 @@ const PLAIN: HatchingMaterialParameters = {
 export function plainLook(look: HatchingMaterialParameters = {}): HatchingMaterialParameters {
   const { technique = 'adjacency', tonalArtMap = null } = look;
   const plain = { ...PLAIN, technique, tonalArtMap };
-  if (technique === 'engraved') return { ...plain, screenSpaceShare: 0, lineSpacing: 5, shadowSpacing: 1, ...look };
-  if (technique !== 'anchored') return { ...plain, ...look };
+  if (drawsLines(technique)) return { ...plain, screenSpaceShare: 0, lineSpacing: 5, shadowSpacing: 1, ...look };
+  if (needsAdjacency({ technique })) return { ...plain, ...look };
   return {
     ...plain,
     screenSpaceShare: 0,
-    latticeSpacing: 0.45,
-    strokeAngle: 0,
+    ...(technique !== 'stipple' && { latticeSpacing: 0.45, strokeAngle: 0 }),
     strokeLayers: 'single',
     strokeWidth: (tonalArtMap as TonalArtMap | null)?.strokeTexels ?? 1,
     ...look,

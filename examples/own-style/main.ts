@@ -14,7 +14,7 @@ const sanguine: HatchingPreset = {
   material: {
     ...presets.pencil.material,
     strokeWidth: 2.4,
-    strokeAngle: 0.6 * Math.PI,
+    strokeAngle: 0.4 * Math.PI,
     softness: 0.85,
     smudge: 0.3,
     ink: '#94351b',

@@ -33,7 +33,7 @@ ground.computeVertexNormals();
 // With 'y', lines follow the height, as contour lines on a map do. They need no tonal art map.
 const mesh = new Mesh(
   await prepareHatchingGeometry(ground, { outlines: true }),
-  new HatchingMaterial({ preset: 'engraving', lineField: 'y', toneCurve: TONES, crossFrom: 0.75 }),
+  new HatchingMaterial({ preset: 'engraving', direction: 'y', toneCurve: TONES, crossFrom: 0.75 }),
 );
 mesh.add(new HatchingOutlines(mesh, { ...presets.engraving.outlines, weights: { creases: 0, borders: 0 } }));
 

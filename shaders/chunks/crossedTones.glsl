@@ -1,11 +1,11 @@
 // Shares a tone among layers that cross from some tone on. Printed over one another, 1 − Π (1 − Tᵢ), they give that tone again.
 
 // The share of the tone above `from` that the lower layer still prints.
-#if MEDIUM == MEDIUM_PEN
+#if TECHNIQUE == TECHNIQUE_PEN
   #define KEPT KEPT_BY_PEN
 #else
   #define KEPT KEPT_SHARE
-#endif // MEDIUM
+#endif // TECHNIQUE
 
 // The part of a tone that a layer prints itself, if other layers cross it above the tone `from`.
 PerToneNormal takenOf(const in PerToneNormal tone, const in float from) {

@@ -1,4 +1,4 @@
-// Turns a field of thresholds into print: ink, or the mark of a dry medium.
+// Turns a field of thresholds into print: ink, or the mark of pencil or chalk.
 uniform float edgePixels; // width of the edge of a stroke
 
 #include "normalDistribution"
@@ -29,8 +29,8 @@ float crowdedShare(const in float crowding) {
   return smoothstep(CROWDED_FROM, CROWDED, crowding);
 }
 
-#if MEDIUM == MEDIUM_DRY
-  #include "dryMedium"
+#if TECHNIQUE == TECHNIQUE_DRY_MEDIA
+  #include "dryMedia"
 #else
   // The ink ∈ [0, 1] of a field at a tone.
   float inkAt(const in HatchField field, const in float tone, const in float crowding) {
@@ -39,4 +39,4 @@ float crowdedShare(const in float crowding) {
     // At grazing angles a pixel holds several strokes. A single sample would alias; their mean is the tone.
     return mix(ink, tone, min(edgePixels, 1.0) * crowdedShare(crowding));
   }
-#endif // MEDIUM
+#endif // TECHNIQUE

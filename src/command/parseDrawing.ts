@@ -123,13 +123,12 @@ const OPTIONS = {
   version: { type: 'boolean' },
 } as const;
 
-/** Whether the technique and medium are drawn as lines or dots. All others are raster pictures, which SVG cannot hold. */
-const isLined = (technique: string | undefined, medium: string | undefined): boolean =>
-  technique === 'engraved' || (technique === 'anchored' && medium === 'stipple');
+/** Whether a technique draws lines or dots. All others are raster pictures, which SVG cannot hold. */
+const isLined = (technique = ''): boolean => ['engraving', 'pen', 'woodcut', 'stipple'].includes(technique);
 
 /** The presets that are drawn as lines or dots. */
 const LINED = Object.entries<HatchingPreset>(presets)
-  .filter(([, { material }]) => isLined(material.technique, material.medium))
+  .filter(([, { material }]) => isLined(material.technique))
   .map(([name]) => name);
 
 /** The file extensions that are read, as `--format` takes them. Listed here because the readers are loaded in the drawing threads alone. */
@@ -273,14 +272,14 @@ function linkOf(link: string | undefined): string | undefined {
 }
 
 /**
- * @throws UsageError if the link's look is not drawn as lines. Technique and medium are those of its preset unless the link overrides them
+ * @throws UsageError if the link's look is not drawn as lines. Its technique is that of its preset unless the link overrides it
  */
 function checkLines(link: string): void {
   const parameters = new URLSearchParams(link);
   const { material } =
     new Map<string, HatchingPreset>(Object.entries(presets)).get(parameters.get('preset') ?? '') ?? {};
   const technique = parameters.get('technique') ?? material?.technique;
-  if (isLined(technique, parameters.get('medium') ?? material?.medium)) return;
+  if (isLined(technique)) return;
   throw new UsageError(
     '--link is drawn with strokes that are a picture and cannot leave as lines; add --preset with one of its own, engraving, say.',
   );

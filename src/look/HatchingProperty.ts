@@ -10,10 +10,8 @@ export type HatchingProperty =
 /** A property that the material passes to the shader in a way of its own. */
 export interface HatchingOther extends UsedByTechniques {
   kind: 'tonalArtMap' | 'curve' | 'point';
-  /** The conditions under which the tonal art map is read, as in `HatchingFacts`. Without the map nothing is drawn then. */
-  when?: HatchingCondition;
-  /** The default under a technique that has another. */
-  defaultFor?: Readonly<Record<string, string>>;
+  /** The default of families of techniques that have another. */
+  defaultFor?: Readonly<Partial<Record<TechniqueFamily, string>>>;
 }
 
 /** Members of every property. */
@@ -38,8 +36,8 @@ export interface HatchingNumber extends UsedByTechniques {
   range?: NumberRange;
   /** Whether `'auto'` is allowed beside a default that is a number. */
   isAuto?: true;
-  /** The default under a technique that has another. */
-  defaultFor?: Readonly<Record<string, number>>;
+  /** The default of families of techniques that have another. */
+  defaultFor?: Readonly<Partial<Record<TechniqueFamily, number>>>;
 }
 
 /** A lower bound, included or not, and an optional upper one. */
@@ -59,13 +57,12 @@ export interface HatchingTexture extends UsedByTechniques {
 /** One of several names. In the shader it is a define whose value is the index of the name in `choices`. */
 export interface HatchingChoice extends UsedByTechniques {
   kind: 'choice';
-  /** Left out for the technique: it chooses the shaders themselves. */
-  define?: string;
+  define: string;
   choices: readonly string[];
-  /** The choices that a technique knows, where these are not all. Any other counts as the default. */
-  choicesFor?: Readonly<Record<string, readonly string[]>>;
-  /** The default under each technique, where it depends on that; `'auto'` restores it. */
-  defaultFor?: Readonly<Record<string, string>>;
+  /** The choices that a family of techniques knows, where these are not all. Any other counts as the default. */
+  choicesFor?: Readonly<Partial<Record<TechniqueFamily, readonly string[]>>>;
+  /** The default of families of techniques, where it depends on that; `'auto'` restores it. */
+  defaultFor?: Readonly<Partial<Record<TechniqueFamily, string>>>;
 }
 
 /** On or off. In the shader it is a define that is set or not. */
@@ -74,14 +71,19 @@ export interface HatchingSwitch extends UsedByTechniques {
   define: string;
 }
 
-/** A technique as the material needs it. The rest lies in its folder of chunks, shaders/techniques/<name>. */
+/**
+ * The techniques that share shaders.
+ * - `perTriangle`: strokes in the frames of triangles, which need triangle adjacency
+ * - `strokes`: strokes or dots that are anchored to the object; those sized on the object alone have a cheaper program of their own
+ * - `lines`: level sets of a function on the object
+ */
+export type TechniqueFamily = 'perTriangle' | 'strokes' | 'lines';
+
+/** A technique as the material needs it. The rest lies in the chunks of its family, in shaders/techniques. */
 export interface HatchingTechniqueData {
-  /** The vertex data it needs: triangle adjacency, or a normal at the scale of a stroke. */
-  vertexData: 'adjacency' | 'hatchNormal';
+  family: TechniqueFamily;
   /** The texture it reads. A crisp material reads the threshold map instead. */
   map: 'tonalArtMap' | 'thresholdMap' | 'none';
-  /** Whether strokes sized on the object alone have a cheaper program of their own. */
-  hasProgramForObject: boolean;
 }
 
 /** Facts about a property that the shader does not need. Those left out do not apply. */

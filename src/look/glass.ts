@@ -4,7 +4,7 @@ export const GLASS = {
   opacity: 1,
   depthWrite: false,
   paperOpacity: 0,
-  lineField: 'slant',
+  direction: 'slant',
   toneCurve: [
     [0, 0],
     [0.45, 0],

@@ -2,16 +2,30 @@
 import type { HatchingProperty, HatchingTechniqueData } from './HatchingProperty.js';
 
 /**
- * How strokes are laid on the surface.
+ * What a surface is drawn with, and how.
  * - `triangle`: Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper by Suarez et al.,
  *   figure 4a).
  * - `adjacency`: Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).
- * - `anchored`: goes beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of
- *   to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh.
- * - `engraved`: goes beyond it too. Lines are level sets of a function on the object: they never break, swell with the
- *   tone and cross in the darks, as in an engraved plate. Draws without a map.
+ * - `hatching`: strokes of a tonal art map in ink. They are anchored to a lattice fixed on the object, and ink is
+ *   decided per pixel, after blending: continuous, crisp and independent of the mesh.
+ * - `dryMedia`: the same strokes in pencil, charcoal or chalk: a grey that grows with the pressure and catches on the
+ *   grain of the paper, which lies on the screen.
+ * - `stipple`: dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the
+ *   diameter of a dot at half tone; from a tone of 0.95 on they leave no paper. Draws without a map.
+ * - `engraving`: lines that are level sets of a function on the object: they never break, swell with the tone and cross
+ *   in the darks, as in an engraved plate. Draws without a map.
+ * - `pen`: the same lines in strokes of a pen, which begin and end thin, and are fewer in the lights.
+ * - `woodcut`: the same lines cut white out of black: wedges that widen with the light and end in points.
  */
-export type HatchingTechnique = 'triangle' | 'adjacency' | 'anchored' | 'engraved';
+export type HatchingTechnique =
+  | 'triangle'
+  | 'adjacency'
+  | 'hatching'
+  | 'dryMedia'
+  | 'stipple'
+  | 'engraving'
+  | 'pen'
+  | 'woodcut';
 
 /**
  * What strokes are fixed to on a mesh that deforms.
@@ -30,36 +44,38 @@ export type StrokeAnchor = 'rest' | 'deformed';
 export type LevelRule = 'derivatives' | 'depth';
 
 /**
- * What the strokes of `anchored` take their direction from.
- * - `light`: the light: strokes turn with it, as in the paper by Suarez et al.
- * - `form`: a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks,
- *   whatever the light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to
- *   `prepareHatchingGeometry`.
- * - `acrossForm`: the same function: strokes lie across its level lines at a right angle, along limbs.
- * - `sheet`: the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeAngle` to the
- *   horizontal. They turn with the camera, and not with the light.
- */
-export type StrokeField = 'light' | 'form' | 'acrossForm' | 'sheet';
-
-/**
- * What cuts the surface into the lines of `engraved`.
- * - `light`: planes across the light, or spheres around a lamp: lines run around it, tangent to it.
- * - `towards`: planes that hold the direction of the light: lines run towards it.
+ * What strokes and lines take their direction from.
+ * - `auto`: the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a
+ *   woodcut `'towardsLight'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes
+ *   of flat faces.
+ * - `light`: the light. Strokes turn with it, at the angle `strokeAngle`, as in the paper by Suarez et al. Lines are
+ *   cut by planes across it, or by spheres around a lamp: they run around it, tangent to it.
+ * - `towardsLight`: planes that hold the direction of the light: lines run towards it.
  * - `x`: planes across the x axis of the object, or of the scene that `applyHatching` hatched: lines stay where they
  *   are while the light moves.
  * - `y`: the same across its y axis.
  * - `z`: the same across its z axis.
  * - `slant`: planes across an axis that is aslant to x, y and z: lines stay where they are, and run diagonally on
  *   walls, lids and floors.
- * - `form`: functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, whatever the
- *   light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry`.
- * - `acrossForm`: the same, with the crossing lines as the first: along limbs instead of around them, if they were
- *   baked with a `crossAngle` of π/2.
- * - `auto`: the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a
- *   woodcut `'towards'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of
- *   flat faces.
+ * - `form`: functions baked into the geometry: strokes and lines follow the form, around fingers, limbs and cheeks,
+ *   whatever the light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to
+ *   `prepareHatchingGeometry`.
+ * - `acrossForm`: the same, across the form: along limbs instead of around them. Strokes lie across at a right angle;
+ *   lines are those that cross the others, as they were baked with a `crossAngle` of π/2.
+ * - `sheet`: the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeAngle` to the
+ *   horizontal. They turn with the camera, and not with the light.
  */
-export type LineField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant' | 'form' | 'acrossForm' | 'auto';
+export type StrokeDirection =
+  | 'auto'
+  | 'light'
+  | 'towardsLight'
+  | 'x'
+  | 'y'
+  | 'z'
+  | 'slant'
+  | 'form'
+  | 'acrossForm'
+  | 'sheet';
 
 /**
  * How many layers of strokes lie over one another. Together they keep the tone.
@@ -81,18 +97,6 @@ export type StrokeLayers = 'single' | 'lights' | 'tone';
  *   angle where shadows take most of the light.
  */
 export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
-
-/**
- * What strokes are drawn with.
- * - `ink`: ink or paper, and nothing between.
- * - `dry`: pencil, charcoal or chalk: a grey that grows with the pressure and catches on the tooth of the paper, which
- *   lies on the screen.
- * - `stipple`: dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the
- *   diameter of a dot at half tone; from a tone of 0.95 on they leave no paper. Draws without a map.
- * - `pen`: lines in strokes, which begin and end thin, and are fewer in the lights.
- * - `woodcut`: lines that are cut white out of black: wedges that widen with the light and end in points.
- */
-export type Medium = 'ink' | 'dry' | 'stipple' | 'pen' | 'woodcut';
 
 /**
  * How light becomes tone (paper by Suarez et al., section 3.4 and figure 9).
@@ -140,16 +144,20 @@ export const HATCHING_PROPERTIES = {
   tonalArtMap: {
     kind: 'tonalArtMap',
     default: 'hatching',
-    when: { medium: ['ink', 'dry'] },
-    techniques: ['triangle', 'adjacency', 'anchored'],
+    techniques: ['triangle', 'adjacency', 'hatching', 'dryMedia'],
   },
-  technique: { kind: 'choice', default: 'anchored', choices: ['triangle', 'adjacency', 'anchored', 'engraved'] },
+  technique: {
+    kind: 'choice',
+    default: 'hatching',
+    define: 'TECHNIQUE',
+    choices: ['triangle', 'adjacency', 'hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
   tilesPerObjectUnit: { kind: 'number', default: 3, uniform: 'tilesPerObjectUnit', range: { above: 0 } },
   strokeAngle: {
     kind: 'number',
     default: 0,
-    defaultFor: { anchored: Math.PI / 2 },
-    techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
+    defaultFor: { strokes: Math.PI / 2 },
+    techniques: ['triangle', 'adjacency', 'hatching', 'dryMedia', 'engraving', 'pen', 'woodcut'],
   },
   strokeOffset: { kind: 'vector2', default: [0, 0], techniques: ['triangle', 'adjacency'] },
   strokeAnchor: { kind: 'choice', default: 'rest', define: 'STROKE_ANCHOR', choices: ['rest', 'deformed'] },
@@ -166,107 +174,102 @@ export const HATCHING_PROPERTIES = {
     default: 1,
     uniform: 'screenSpaceShare',
     range: { from: 0, to: 1 },
-    techniques: ['anchored', 'engraved'],
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
   },
   strokeWidth: {
     kind: 'number',
     default: null,
-    defaultFor: { anchored: 1.5 },
+    defaultFor: { strokes: 1.5 },
     range: { above: 0 },
-    techniques: ['triangle', 'adjacency', 'anchored'],
+    techniques: ['triangle', 'adjacency', 'hatching', 'dryMedia', 'stipple'],
   },
   edgePixels: {
     kind: 'number',
     default: 1,
     uniform: 'edgePixels',
     range: { from: 0 },
-    techniques: ['triangle', 'adjacency', 'anchored'],
+    techniques: ['triangle', 'adjacency', 'hatching', 'stipple'],
   },
   latticeSpacing: {
     kind: 'number',
     default: 0.4,
     uniform: 'latticeSpacing',
     range: { above: 0 },
-    techniques: ['anchored'],
+    techniques: ['hatching', 'dryMedia'],
   },
-  strokeField: {
+  direction: {
     kind: 'choice',
     default: 'light',
-    define: 'STROKE_FIELD',
-    choices: ['light', 'form', 'acrossForm', 'sheet'],
-    techniques: ['anchored'],
+    define: 'DIRECTION',
+    choices: ['auto', 'light', 'towardsLight', 'x', 'y', 'z', 'slant', 'form', 'acrossForm', 'sheet'],
+    choicesFor: {
+      strokes: ['light', 'form', 'acrossForm', 'sheet'],
+      lines: ['auto', 'light', 'towardsLight', 'x', 'y', 'z', 'slant', 'form', 'acrossForm'],
+    },
+    techniques: ['hatching', 'dryMedia', 'engraving', 'pen', 'woodcut'],
   },
-  lineField: {
-    kind: 'choice',
-    default: 'light',
-    define: 'LINE_FIELD',
-    choices: ['light', 'towards', 'x', 'y', 'z', 'slant', 'form', 'acrossForm', 'auto'],
-    techniques: ['engraved'],
+  lineSpacing: {
+    kind: 'number',
+    default: 4.5,
+    uniform: 'lineSpacing',
+    range: { above: 0 },
+    techniques: ['engraving', 'pen', 'woodcut'],
   },
-  lineSpacing: { kind: 'number', default: 4.5, uniform: 'lineSpacing', range: { above: 0 }, techniques: ['engraved'] },
   minLineSpacing: {
     kind: 'number',
     default: 3,
     uniform: 'minLineSpacing',
     range: { from: 2 },
-    techniques: ['engraved'],
+    techniques: ['engraving', 'pen', 'woodcut'],
   },
-  strokeLength: { kind: 'number', default: 72, uniform: 'strokeLength', range: { above: 0 }, techniques: ['engraved'] },
+  strokeLength: {
+    kind: 'number',
+    default: 72,
+    uniform: 'strokeLength',
+    range: { above: 0 },
+    techniques: ['pen', 'woodcut'],
+  },
   strokeLayers: {
     kind: 'choice',
     default: 'single',
     define: 'STROKE_LAYERS',
     choices: ['single', 'lights', 'tone'],
-    defaultFor: { anchored: 'tone' },
-    techniques: ['triangle', 'adjacency', 'anchored'],
+    defaultFor: { strokes: 'tone' },
+    techniques: ['triangle', 'adjacency', 'hatching', 'dryMedia', 'stipple'],
   },
   crossFrom: {
     kind: 'number',
     default: 0.52,
     uniform: 'crossFrom',
-    defaultFor: { anchored: 0.6 },
+    defaultFor: { strokes: 0.6 },
     range: { from: 0, to: 1 },
-    techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
   },
-  crossAngle: {
-    kind: 'number',
-    default: Math.PI / 3,
-    range: { above: 0, to: 1.5707963267948966 },
-    techniques: ['triangle', 'adjacency', 'anchored', 'engraved'],
-  },
+  crossAngle: { kind: 'number', default: Math.PI / 3, range: { above: 0, to: 1.5707963267948966 } },
   irregularity: {
     kind: 'number',
     default: 0.4,
     uniform: 'irregularity',
     range: { from: 0, to: 1 },
-    techniques: ['engraved'],
+    techniques: ['engraving', 'pen', 'woodcut'],
   },
   blendAngle: { kind: 'number', default: Math.PI / 2, range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
   shadowStrokes: { kind: 'choice', default: 'tone', define: 'SHADOW_STROKES', choices: ['tone', 'cross', 'reorient'] },
-  medium: {
-    kind: 'choice',
-    default: 'ink',
-    define: 'MEDIUM',
-    choices: ['ink', 'dry', 'stipple', 'pen', 'woodcut'],
-    choicesFor: { anchored: ['ink', 'dry', 'stipple'], engraved: ['ink', 'pen', 'woodcut'] },
-    techniques: ['anchored', 'engraved'],
-  },
   paperGrain: {
     kind: 'number',
     default: 0.4,
     uniform: 'paperGrain',
     range: { from: 0, to: 1 },
-    techniques: ['anchored'],
+    techniques: ['dryMedia'],
   },
   paperGrainSize: {
     kind: 'number',
     default: 2.5,
     uniform: 'paperGrainSize',
     range: { above: 0 },
-    techniques: ['anchored'],
+    techniques: ['dryMedia'],
   },
-  softness: { kind: 'number', default: 0.6, uniform: 'softness', range: { from: 0, to: 1 }, techniques: ['anchored'] },
-  smudge: { kind: 'number', default: 0, uniform: 'smudge', range: { from: 0, to: 1 }, techniques: ['anchored'] },
+  softness: { kind: 'number', default: 0.6, uniform: 'softness', range: { from: 0, to: 1 }, techniques: ['dryMedia'] },
+  smudge: { kind: 'number', default: 0, uniform: 'smudge', range: { from: 0, to: 1 }, techniques: ['dryMedia'] },
   toneModel: {
     kind: 'choice',
     default: 'lambert',
@@ -277,21 +280,21 @@ export const HATCHING_PROPERTIES = {
     kind: 'number',
     default: 1,
     uniform: 'shadowTone',
-    defaultFor: { anchored: 0.5, engraved: 0.5 },
+    defaultFor: { strokes: 0.5, lines: 0.5 },
     range: { from: 0, to: 1 },
   },
   shadowFade: {
     kind: 'number',
     default: 0,
     uniform: 'shadowFade',
-    defaultFor: { anchored: 0.65, engraved: 0.65 },
+    defaultFor: { strokes: 0.65, lines: 0.65 },
     range: { from: 0 },
   },
   shadowSoftness: {
     kind: 'number',
     default: 0,
     uniform: 'shadowSoftness',
-    defaultFor: { anchored: 0.12, engraved: 0.12 },
+    defaultFor: { strokes: 0.12, lines: 0.12 },
     range: { from: 0 },
   },
   shadowDirection: {
@@ -299,14 +302,14 @@ export const HATCHING_PROPERTIES = {
     default: 'strokes',
     define: 'SHADOW_DIRECTION',
     choices: ['away', 'strokes'],
-    defaultFor: { triangle: 'strokes', adjacency: 'strokes', anchored: 'away', engraved: 'away' },
+    defaultFor: { perTriangle: 'strokes', strokes: 'away', lines: 'away' },
   },
   shadowSpacing: {
     kind: 'number',
     default: 1.4,
     uniform: 'shadowSpacing',
     range: { above: 0 },
-    techniques: ['engraved'],
+    techniques: ['engraving', 'pen', 'woodcut'],
   },
   toneSteps: { kind: 'number', default: 4, uniform: 'toneSteps', range: { from: 2 } },
   shininess: { kind: 'number', default: 30, uniform: 'shininess', range: { from: 0 } },
@@ -315,16 +318,16 @@ export const HATCHING_PROPERTIES = {
     default: 'face',
     define: 'TONE_NORMAL',
     choices: ['face', 'smooth'],
-    defaultFor: { triangle: 'face', adjacency: 'face', anchored: 'smooth', engraved: 'smooth' },
+    defaultFor: { perTriangle: 'face', strokes: 'smooth', lines: 'smooth' },
   },
   exposure: { kind: 'number', default: 1, range: { above: 0 }, isAuto: true },
   exposureCompensation: { kind: 'number', default: 1, range: { above: 0 } },
-  toneCurve: { kind: 'curve', default: 'linear', defaultFor: { anchored: 'printed', engraved: 'printed' } },
+  toneCurve: { kind: 'curve', default: 'linear', defaultFor: { strokes: 'printed', lines: 'printed' } },
   reflectedLight: {
     kind: 'number',
     default: 0,
     uniform: 'reflectedLight',
-    defaultFor: { anchored: 0.35, engraved: 0.4 },
+    defaultFor: { strokes: 0.35, lines: 0.4 },
     range: { from: 0, to: 1 },
   },
   occlusion: { kind: 'number', default: 1, uniform: 'occlusion', range: { from: 0, to: 1 } },
@@ -332,23 +335,45 @@ export const HATCHING_PROPERTIES = {
     kind: 'number',
     default: 0,
     uniform: 'hollowStrength',
-    defaultFor: { anchored: 1, engraved: 1 },
+    defaultFor: { strokes: 1, lines: 1 },
     range: { from: 0, to: 1 },
   },
   colorHatching: { kind: 'number', default: 0, uniform: 'colorHatching', range: { from: 0, to: 1 } },
   highlightThreshold: { kind: 'number', default: 0, range: { from: 0, to: 1 } },
   highlightSoftness: { kind: 'number', default: 0, range: { from: 0, to: 1 } },
-  depthFade: { kind: 'number', default: 'auto', range: { from: 0, to: 1 }, techniques: ['anchored', 'engraved'] },
-  depthFadeStart: { kind: 'number', default: 0, techniques: ['anchored', 'engraved'] },
-  depthFadeEnd: { kind: 'number', default: 1, techniques: ['anchored', 'engraved'] },
-  focus: { kind: 'point', default: null, techniques: ['anchored', 'engraved'] },
-  focusRadius: { kind: 'number', default: 1, range: { above: 0 }, techniques: ['anchored', 'engraved'] },
+  depthFade: {
+    kind: 'number',
+    default: 'auto',
+    range: { from: 0, to: 1 },
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  depthFadeStart: {
+    kind: 'number',
+    default: 0,
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  depthFadeEnd: {
+    kind: 'number',
+    default: 1,
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  focus: {
+    kind: 'point',
+    default: null,
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  focusRadius: {
+    kind: 'number',
+    default: 1,
+    range: { above: 0 },
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
   vignette: {
     kind: 'number',
     default: 0,
     uniform: 'vignette',
     range: { from: 0, to: 1 },
-    techniques: ['anchored', 'engraved'],
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
   },
   normalMap: { kind: 'texture', default: null, uniform: 'normalMap', transform: 'normalMapTransform' },
   normalScale: { kind: 'vector2', default: [1, 1], uniform: 'normalScale' },
@@ -390,8 +415,12 @@ function defaults(): { readonly [Name in HatchingPropertyName]: (typeof HATCHING
 
 /** Facts of every technique. */
 export const HATCHING_TECHNIQUES = {
-  triangle: { vertexData: 'adjacency', map: 'tonalArtMap', hasProgramForObject: false },
-  adjacency: { vertexData: 'adjacency', map: 'tonalArtMap', hasProgramForObject: false },
-  anchored: { vertexData: 'hatchNormal', map: 'thresholdMap', hasProgramForObject: true },
-  engraved: { vertexData: 'hatchNormal', map: 'none', hasProgramForObject: false },
+  triangle: { family: 'perTriangle', map: 'tonalArtMap' },
+  adjacency: { family: 'perTriangle', map: 'tonalArtMap' },
+  hatching: { family: 'strokes', map: 'thresholdMap' },
+  dryMedia: { family: 'strokes', map: 'thresholdMap' },
+  stipple: { family: 'strokes', map: 'none' },
+  engraving: { family: 'lines', map: 'none' },
+  pen: { family: 'lines', map: 'none' },
+  woodcut: { family: 'lines', map: 'none' },
 } as const satisfies Record<HatchingTechnique, HatchingTechniqueData>;

@@ -7,7 +7,7 @@ import { type HatchingLook, holds, isUsedBy, propertyOf, techniqueOf, valueIn } 
 const NAMES = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const factsOf = (name: HatchingPropertyName): HatchingFacts => HATCHING_FACTS[name] ?? {};
 
-/** Whether a property has an effect in a look: its technique and medium read it, and the properties it depends on allow it. */
+/** Whether a property has an effect in a look: its technique reads it, and the properties it depends on allow it. */
 export function counts(given: HatchingLook, name: HatchingPropertyName): boolean {
   const look = spelledOut(given);
   if (!isUsedBy(techniqueOf(look), propertyOf(name))) return false;

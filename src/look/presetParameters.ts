@@ -1,7 +1,8 @@
-import type { HatchingProperty } from './HatchingProperty.js';
+import type { HatchingProperty, TechniqueFamily } from './HatchingProperty.js';
 import {
   HATCHING_DEFAULTS,
   HATCHING_PROPERTIES,
+  HATCHING_TECHNIQUES,
   type HatchingPropertyName,
   type HatchingTechnique,
 } from './hatchingProperties.js';
@@ -65,10 +66,13 @@ export function plainValue(value: unknown): unknown {
   return value;
 }
 
+/** The family of a technique. */
+export const familyOf = (technique: HatchingTechnique): TechniqueFamily => HATCHING_TECHNIQUES[technique].family;
+
 /** The default of a property under a technique. Colours are numbers, vectors arrays. */
 export function defaultOf(name: HatchingPropertyName, technique: HatchingTechnique): unknown {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
-  const ofTechnique = 'defaultFor' in property ? property.defaultFor?.[technique] : undefined;
+  const ofTechnique = 'defaultFor' in property ? property.defaultFor?.[familyOf(technique)] : undefined;
   return ofTechnique ?? HATCHING_DEFAULTS[name];
 }
 

@@ -5,14 +5,12 @@ import {
   HATCHING_TECHNIQUES,
   type HatchingPropertyName,
   type HatchingTechnique,
-  type LineField,
-  type Medium,
   type ShadowStrokes,
-  type StrokeField,
+  type StrokeDirection,
   type StrokeLayers,
 } from './hatchingProperties.js';
 import type { PresetName } from './presetMaterials.js';
-import { defaultOf, spelledOut } from './presetParameters.js';
+import { defaultOf, familyOf, spelledOut } from './presetParameters.js';
 
 /**
  * A `HatchingMaterial` or parameters of one. Members left out have the value of the named preset, or their default. The functions of this
@@ -29,13 +27,16 @@ export const propertyOf = (name: HatchingPropertyName): HatchingProperty => HATC
 export const techniqueOf = ({ technique = HATCHING_DEFAULTS.technique }: HatchingLook) =>
   technique as HatchingTechnique;
 
+/** Whether a technique draws lines: engraved, in strokes of a pen, or cut in wood. */
+export const drawsLines = (technique: HatchingTechnique): boolean => familyOf(technique) === 'lines';
+
 /** Whether a technique reads a property. Allocates nothing. */
 export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
   techniques?.includes(technique) ?? true;
 
 /** Whether a technique knows a choice. Allocates nothing. */
 export const knowsChoice = (technique: HatchingTechnique, property: HatchingProperty, value: unknown): boolean =>
-  property.kind !== 'choice' || (property.choicesFor?.[technique]?.includes(value as string) ?? true);
+  property.kind !== 'choice' || (property.choicesFor?.[familyOf(technique)]?.includes(value as string) ?? true);
 
 /** Whether a condition on other properties holds for a look. */
 export const holds = (look: HatchingLook, condition: HatchingCondition): boolean =>
@@ -47,11 +48,8 @@ export const holds = (look: HatchingLook, condition: HatchingCondition): boolean
   });
 
 /** Whether a look is drawn with a tonal art map, without which it would be blank paper. */
-export function needsMap(given: HatchingLook): boolean {
-  const look = spelledOut(given);
-  const { tonalArtMap } = HATCHING_PROPERTIES;
-  return isUsedBy(techniqueOf(look), tonalArtMap) && holds(look, tonalArtMap.when);
-}
+export const needsMap = (look: HatchingLook): boolean =>
+  HATCHING_TECHNIQUES[techniqueOf(spelledOut(look))].map !== 'none';
 
 /** Whether a look decides ink by the thresholds of its map instead of the greys of its strokes. Allocates nothing. */
 export function usesThresholds(given: HatchingLook): boolean {
@@ -63,7 +61,7 @@ export function usesThresholds(given: HatchingLook): boolean {
 
 /** Whether a look needs geometries prepared with triangle adjacency. */
 export const needsAdjacency = (look: HatchingLook): boolean =>
-  HATCHING_TECHNIQUES[techniqueOf(spelledOut(look))].vertexData === 'adjacency';
+  familyOf(techniqueOf(spelledOut(look))) === 'perTriangle';
 
 /** Whether a look shows shadows alone, in one layer of strokes that run away from the light. Allocates nothing. */
 export function runsAway(given: HatchingLook): boolean {
@@ -71,23 +69,12 @@ export function runsAway(given: HatchingLook): boolean {
   return look.toneModel === 'shadow' && valueIn(look, 'shadowDirection') === 'away';
 }
 
-/** The property by which the lines or strokes of a look may follow the form, or undefined. Allocates nothing. */
-export function formFieldOf(given: HatchingLook): 'lineField' | 'strokeField' | undefined {
-  const look = spelledOut(given);
-  if (runsAway(look)) return undefined;
-  const technique = techniqueOf(look);
-  if (isUsedBy(technique, HATCHING_PROPERTIES.lineField)) return 'lineField';
-  // Dots have no direction.
-  const hasStrokes = isUsedBy(technique, HATCHING_PROPERTIES.strokeField) && look.medium !== 'stipple';
-  return hasStrokes ? 'strokeField' : undefined;
-}
-
 /** The option `form` of `prepareHatchingGeometry` that a look needs. Allocates nothing. */
 export function formOf(given: HatchingLook): boolean | 'auto' {
   const look = spelledOut(given);
-  const name = formFieldOf(look);
-  const field = name && look[name];
-  return field === 'auto' ? field : field === 'form' || field === 'acrossForm';
+  if (runsAway(look) || !isUsedBy(techniqueOf(look), HATCHING_PROPERTIES.direction)) return false;
+  const direction = valueIn(look, 'direction');
+  return direction === 'auto' ? direction : direction === 'form' || direction === 'acrossForm';
 }
 
 /** Whether lines or strokes of a look follow the form, which needs geometries prepared with `form`. Allocates nothing. */
@@ -105,9 +92,8 @@ export function valueIn(look: HatchingLook, name: HatchingPropertyName): unknown
 
 /** The choices that are drawn on a mesh; one that does not count for the technique is at its default. */
 export interface ResolvedLook {
-  readonly medium: Medium;
-  readonly lineField: Exclude<LineField, 'auto'>;
-  readonly strokeField: StrokeField;
+  readonly technique: HatchingTechnique;
+  readonly direction: Exclude<StrokeDirection, 'auto'>;
   readonly shadowStrokes: ShadowStrokes;
   readonly strokeLayers: StrokeLayers;
   /** Whether the look shows shadows alone, in one layer of strokes that run away from the light. */
@@ -116,15 +102,14 @@ export interface ResolvedLook {
 
 /** The settings of strokes of shadows that run away from the light; they override the look of the model's strokes. */
 const AWAY: Partial<Record<HatchingPropertyName, string>> = {
-  lineField: 'light',
+  direction: 'light',
   shadowStrokes: 'tone',
-  strokeField: 'light',
   strokeLayers: 'single',
 };
 
-/** The direction of lines that would follow the form, by their medium, on meshes that were prepared without it. */
-const withoutForm = (medium: unknown): LineField =>
-  medium === 'pen' ? 'slant' : medium === 'woodcut' ? 'towards' : 'light';
+/** The direction of lines that would follow the form, by their technique, on meshes that were prepared without it. */
+const withoutForm = (technique: HatchingTechnique): StrokeDirection =>
+  technique === 'pen' ? 'slant' : technique === 'woodcut' ? 'towardsLight' : 'light';
 
 /**
  * The value of a property that a look is drawn with: its own where it counts for the technique, or else the technique's default. Lines and
@@ -137,9 +122,9 @@ export function drawnValue(look: HatchingLook, name: HatchingPropertyName, hasFo
   const technique = techniqueOf(look);
   const counts = isUsedBy(technique, propertyOf(name));
   const value = (runsAway(look) && AWAY[name]) || (counts ? valueIn(look, name) : defaultOf(name, technique));
-  if (name !== formFieldOf(look)) return value;
+  if (name !== 'direction') return value;
   const form = formOf(look);
-  if (form === 'auto') return hasForm ? 'form' : withoutForm(drawnValue(look, 'medium', hasForm));
+  if (form === 'auto') return hasForm ? 'form' : withoutForm(technique);
   return form && !hasForm ? 'light' : value;
 }
 
@@ -152,9 +137,8 @@ export function drawnValue(look: HatchingLook, name: HatchingPropertyName, hasFo
 export function resolveLook(look: HatchingLook, hasForm: boolean): ResolvedLook {
   const drawn = <Choice>(name: HatchingPropertyName): Choice => drawnValue(look, name, hasForm) as Choice;
   return {
-    medium: drawn('medium'),
-    lineField: drawn('lineField'),
-    strokeField: drawn('strokeField'),
+    technique: techniqueOf(look),
+    direction: drawn('direction'),
     shadowStrokes: drawn('shadowStrokes'),
     strokeLayers: drawn('strokeLayers'),
     runsAway: runsAway(look),

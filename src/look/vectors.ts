@@ -45,3 +45,6 @@ export const luminanceOf = ({ r, g, b }: { readonly r: number; readonly g: numbe
 
 /** The CIE 1976 lightness of a luminance, both in [0, 1], as in `lightness.glsl`. */
 export const lightness = (y: number): number => (y < 216 / 24389 ? y * 9.032963 : 1.16 * Math.cbrt(y) - 0.16);
+
+/** An angle of strokes or lines, in [−π/2, π/2): they have no head, so that half a turn more is the same direction. */
+export const axisAngle = (angle: number): number => angle - Math.PI * Math.floor(angle / Math.PI + 0.5);

@@ -84,7 +84,7 @@ export class HatchingMaterial extends PropertyFields {
   private curve: ToneCurve | undefined;
   /** The shaders in use. They are assigned only when they change, so that a user may replace them. */
   private shaders: Shaders | undefined;
-  /** The part that the technique or the medium of the shaders in use needs. */
+  /** The part that the technique of the shaders in use needs. */
   private readonly inUse = new PartInUse(() => this.writeProgram());
   private readonly exposed = new ExposureInUse();
   /** The facts, beside the properties, that decide the program. */
@@ -135,7 +135,7 @@ export class HatchingMaterial extends PropertyFields {
     this.writeUniforms();
   }
 
-  /** Fetches the code of all techniques and media, so that every material draws with it from its first frame on. */
+  /** Fetches the code of all techniques, so that every material draws with it from its first frame on. */
   static preload(): Promise<void> {
     return fetchParts();
   }
@@ -201,8 +201,8 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /**
-   * Resolves when the material's map and code have loaded. The code for strokes of ink is always loaded; that of other techniques and
-   * media is fetched when a material first uses it, and until then the surface is plain paper or looks as before. For pages that render
+   * Resolves when the material's map and code have loaded. The code of the technique `hatching` is always loaded; that of others
+   * is fetched when a material first uses it, and until then the surface is plain paper or looks as before. For pages that render
    * on demand: `material.ready.then(render)`. Rejects if the map cannot be drawn or the code cannot be fetched; reading the property
    * again tries again.
    */

@@ -5,12 +5,10 @@ import type {
   HatchingTechnique,
   InkBlend,
   LevelRule,
-  LineField,
-  Medium,
   ShadowDirection,
   ShadowStrokes,
   StrokeAnchor,
-  StrokeField,
+  StrokeDirection,
   StrokeLayers,
   ToneModel,
   ToneNormal,
@@ -24,10 +22,10 @@ export interface HatchingMaterialOptions {
    * The hatch images: a map, which materials may share and which you dispose of yourself; or the name of a style, whose
    * map all materials share (`TonalArtMap.shared`), drawn with the first frame that needs it. Until a map is ready the
    * surface is blank paper, and with `null` it stays so. Default `'hatching'`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * `'hatching'`, `'dryMedia'`.
    */
   tonalArtMap: HatchingMap;
-  /** How strokes are laid on the surface. Default `'anchored'`. Another value builds another program. */
+  /** What a surface is drawn with, and how. Default `'hatching'`. Another value builds another program. */
   technique: HatchingTechnique;
   /**
    * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
@@ -35,11 +33,11 @@ export interface HatchingMaterialOptions {
    */
   tilesPerObjectUnit: number;
   /**
-   * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
-   * towards it (figure 14). With `strokeField: 'sheet'` it is their angle to the horizontal of the sheet,
-   * counterclockwise. For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is
-   * `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
-   * `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'` or `'sheet'`.
+   * How far strokes are turned, counterclockwise, as seen from outside. Where they follow the light, 0 draws them
+   * tangent to it, π/2 towards it (figure 14); with `direction: 'sheet'` it is their angle to the horizontal of the
+   * sheet. Of lines it turns what cuts them, where a light does: at π/2 `direction: 'light'` is `'towardsLight'`. Half
+   * a turn more is the same direction. Radians. Default `0`, for `'hatching'`, `'dryMedia'`, `'stipple'` `Math.PI / 2`.
+   * For all but `'stipple'`, with `direction` `'auto'` or `'light'` or `'towardsLight'` or `'sheet'`.
    */
   strokeAngle: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -53,80 +51,80 @@ export interface HatchingMaterialOptions {
    */
   crisp: boolean;
   /**
-   * What chooses the level of the map. `anchored` always goes by depth. Default `'derivatives'`. Only `'triangle'`,
-   * `'adjacency'`. Another value builds another program.
+   * What chooses the level of the map. `hatching` and `dryMedia` always go by depth. Default `'derivatives'`. Only
+   * `'triangle'`, `'adjacency'`. Another value builds another program.
    */
   levelRule: LevelRule;
   /**
    * What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping.
-   * In between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own
-   * for 0, which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
+   * In between, strokes grow less than the object does as the camera comes nearer. Strokes and dots have a program of
+   * their own for 0, which is cheaper. Share in [0, 1]. Default `1`. For all but `'triangle'`, `'adjacency'`.
    */
   screenSpaceShare: number;
   /**
    * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
    * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
-   * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'anchored'` `1.5`.
-   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
+   * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'hatching'`,
+   * `'dryMedia'`, `'stipple'` `1.5`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'dryMedia'`, `'stipple'`, with
+   * `crisp` `true`, or `levelRule` `'depth'`.
    */
   strokeWidth: number | null;
   /**
-   * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have
-   * `softness` instead. Pixels of the drawing buffer in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, with `crisp` `true` and `medium` `'ink'` or `'stipple'`.
+   * Width over which ink fades at the edge of a stroke or a dot. 0 is hard. Dry media have `softness` instead. Pixels
+   * of the drawing buffer in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'stipple'`, with
+   * `crisp` `true`.
    */
   edgePixels: number;
   /**
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
-   * strokes. Tiles in (0, ∞). Default `0.4`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * strokes. Tiles in (0, ∞). Default `0.4`. Only `'hatching'`, `'dryMedia'`.
    */
   latticeSpacing: number;
   /**
-   * What strokes take their direction from. Default `'light'`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
-   * Another value builds another program.
+   * What strokes and lines take their direction from. Strokes of `hatching` and `dryMedia` know `'light'`, `'form'`,
+   * `'acrossForm'` and `'sheet'`; lines of `engraving`, `pen` and `woodcut` know all but `'sheet'`. Another counts as
+   * the default. Default `'light'`. Only `'hatching'`, `'dryMedia'`, `'engraving'`, `'pen'`, `'woodcut'`. Another value
+   * builds another program.
    */
-  strokeField: StrokeField;
-  /** What cuts the surface into lines. Default `'light'`. Only `'engraved'`. Another value builds another program. */
-  lineField: LineField;
+  direction: StrokeDirection;
   /**
    * Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes
    * nearer new lines appear between them, thin at first. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0
-   * in (0, ∞). Default `4.5`. Only `'engraved'`.
+   * in (0, ∞). Default `4.5`. Only `'engraving'`, `'pen'`, `'woodcut'`.
    */
   lineSpacing: number;
   /**
    * Least distance between lines; never less than two pixels of the drawing buffer. Where lines would lie closer, every
    * other one is left out. Below three pixels lines flicker in motion. CSS pixels in [2, ∞). Default `3`. Only
-   * `'engraved'`.
+   * `'engraving'`, `'pen'`, `'woodcut'`.
    */
   minLineSpacing: number;
   /**
-   * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, since
-   * strokes give way to others half as long as the camera comes nearer. CSS pixels at a `screenSpaceShare` of 1, 256ths
-   * of a tile at 0 in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
+   * Length of a stroke of `pen`, and of a wedge of `woodcut`: from 0.7 to 1.4 times as much, since strokes give way to
+   * others half as long as the camera comes nearer. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0 in
+   * (0, ∞). Default `72`. Only `'pen'`, `'woodcut'`.
    */
   strokeLength: number;
   /**
-   * How many layers of strokes there are. Default `'single'`, for `'anchored'` `'tone'`. Only `'triangle'`,
-   * `'adjacency'`, `'anchored'`. Another value builds another program.
+   * How many layers of strokes there are. Default `'single'`, for `'hatching'`, `'dryMedia'`, `'stipple'` `'tone'`.
+   * Only `'triangle'`, `'adjacency'`, `'hatching'`, `'dryMedia'`, `'stipple'`. Another value builds another program.
    */
   strokeLayers: StrokeLayers | 'auto';
   /**
-   * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at
-   * 1 none do. Tone in [0, 1]. Default `0.52`, for `'anchored'` `0.6`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
-   * `'engraved'`, with `strokeLayers` `'tone'`.
+   * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of an engraving, a
+   * pen or a woodcut; at 1 none do. Tone in [0, 1]. Default `0.52`, for `'hatching'`, `'dryMedia'`, `'stipple'` `0.6`.
+   * Only with `strokeLayers` `'tone'`.
    */
   crossFrom: number;
   /**
    * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
-   * cut the first lines of `engraved` and those that cut the lines across them; lines that follow the form cross as
-   * they were baked. 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only `'triangle'`,
-   * `'adjacency'`, `'anchored'`, `'engraved'`, with `strokeLayers` `'tone'`.
+   * cut the first lines and those that cut the lines across them; lines that follow the form cross as they were baked.
+   * 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only with `strokeLayers` `'tone'`.
    */
   crossAngle: number;
   /**
    * How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine. Share
-   * in [0, 1]. Default `0.4`. Only `'engraved'`.
+   * in [0, 1]. Default `0.4`. Only `'engraving'`, `'pen'`, `'woodcut'`.
    */
   irregularity: number;
   /**
@@ -141,59 +139,51 @@ export interface HatchingMaterialOptions {
    */
   shadowStrokes: ShadowStrokes;
   /**
-   * What strokes are drawn with. The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'pen'` and
-   * `'woodcut'` are for `engraved`; a technique draws in ink with what is not for it. Default `'ink'`. Only
-   * `'anchored'`, `'engraved'`. Another value builds another program.
-   */
-  medium: Medium;
-  /**
-   * How strongly the tooth of the paper breaks up the strokes of a dry medium: at 0 strokes are smooth, at 1 only grain
-   * is left. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
+   * How strongly the grain of the paper breaks up strokes: at 0 strokes are smooth, at 1 only grain is left. Share in
+   * [0, 1]. Default `0.4`. Only `'dryMedia'`.
    */
   paperGrain: number;
-  /** Size of the bumps of the paper. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
+  /** Size of the bumps of the paper. CSS pixels in (0, ∞). Default `2.5`. Only `'dryMedia'`. */
   paperGrainSize: number;
   /**
-   * How gradually a dry medium covers: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a
-   * grey. Share in [0, 1]. Default `0.6`. Only `'anchored'`, with `medium` `'dry'`.
+   * How gradually strokes cover: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a grey.
+   * Share in [0, 1]. Default `0.6`. Only `'dryMedia'`.
    */
   softness: number;
-  /**
-   * How much of a dry medium is rubbed into plain tone below the strokes. Share in [0, 1]. Default `0`. Only
-   * `'anchored'`, with `medium` `'dry'`.
-   */
+  /** How much of the strokes is rubbed into plain tone below them. Share in [0, 1]. Default `0`. Only `'dryMedia'`. */
   smudge: number;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
   /**
    * How dark the tone model `'shadow'` prints a full shadow where it touches what casts it, as a factor on the tone
    * after the tone curve. At one half a shadow on the ground is lighter than the darks of the body. Tone in [0, 1].
-   * Default `1`, for `'anchored'` `0.5`, for `'engraved'` `0.5`. Only with `toneModel` `'shadow'`.
+   * Default `1`, for all but `'triangle'`, `'adjacency'` `0.5`. Only with `toneModel` `'shadow'`.
    */
   shadowTone: number;
   /**
    * How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it:
    * the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1:
-   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for `'anchored'`
-   * `0.65`, for `'engraved'` `0.65`. Only with `toneModel` `'shadow'`.
+   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for all but
+   * `'triangle'`, `'adjacency'` `0.65`. Only with `toneModel` `'shadow'`.
    */
   shadowFade: number;
   /**
    * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them: the
    * width of a round lamp as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius`
-   * says. Factor in [0, ∞). Default `0`, for `'anchored'` `0.12`, for `'engraved'` `0.12`. Only with `toneModel`
+   * says. Factor in [0, ∞). Default `0`, for all but `'triangle'`, `'adjacency'` `0.12`. Only with `toneModel`
    * `'shadow'`.
    */
   shadowSoftness: number;
   /**
    * Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again. Default
-   * `'strokes'`, for `'anchored'` `'away'`, for `'engraved'` `'away'`. Only with `toneModel` `'shadow'`. Another value
+   * `'strokes'`, for all but `'triangle'`, `'adjacency'` `'away'`. Only with `toneModel` `'shadow'`. Another value
    * builds another program.
    */
   shadowDirection: ShadowDirection | 'auto';
   /**
    * How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the
-   * ground is calmer than the body. Factor in (0, ∞). Default `1.4`. Only `'engraved'`, with `toneModel` `'shadow'`.
+   * ground is calmer than the body. Factor in (0, ∞). Default `1.4`. Only `'engraving'`, `'pen'`, `'woodcut'`, with
+   * `toneModel` `'shadow'`.
    */
   shadowSpacing: number;
   /** Number of bands of the tone model `'toon'`. Count in [2, ∞). Default `4`. Only with `toneModel` `'toon'`. */
@@ -205,7 +195,7 @@ export interface HatchingMaterialOptions {
   shininess: number;
   /**
    * The normal that tone is computed from. The value in use is read back; `'auto'` leaves it to the technique again.
-   * Default `'face'`, for `'anchored'` `'smooth'`, for `'engraved'` `'smooth'`. Another value builds another program.
+   * Default `'face'`, for all but `'triangle'`, `'adjacency'` `'smooth'`. Another value builds another program.
    */
   toneNormal: ToneNormal | 'auto';
   /**
@@ -225,13 +215,14 @@ export interface HatchingMaterialOptions {
    * covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that
    * of printed line drawings, whose lights stay blank, and in whose deepest shade some paper shows. Or 2 to 8 points
    * `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other
-   * points need no other program. Default `'linear'`, for `'anchored'` `'printed'`, for `'engraved'` `'printed'`.
+   * points need no other program. Default `'linear'`, for all but `'triangle'`, `'adjacency'` `'printed'`.
    */
   toneCurve: ToneCurve;
   /**
    * Share of each light that the surroundings throw back from behind: shade is darkest at the terminator, as engravers
    * draw it. Planes in shade get more of it on one side of the light, so that two walls at one angle to the light
-   * differ. Share in [0, 1]. Default `0`, for `'anchored'` `0.35`, for `'engraved'` `0.4`.
+   * differ. Share in [0, 1]. Default `0`, for `'hatching'`, `'dryMedia'`, `'stipple'` `0.35`, for `'engraving'`,
+   * `'pen'`, `'woodcut'` `0.4`.
    */
   reflectedLight: number;
   /**
@@ -241,8 +232,8 @@ export interface HatchingMaterialOptions {
   occlusion: number;
   /**
    * How far hollows that `occlusion` knows of are brought to the darkest tone, under any light: sockets, nostrils, the
-   * parting of lips, undercuts and contacts. At 0 they only lose light. Share in [0, 1]. Default `0`, for `'anchored'`
-   * `1`, for `'engraved'` `1`. Only with `occlusion` other than `0`.
+   * parting of lips, undercuts and contacts. At 0 they only lose light. Share in [0, 1]. Default `0`, for all but
+   * `'triangle'`, `'adjacency'` `1`. Only with `occlusion` other than `0`.
    */
   hollowStrength: number;
   /**
@@ -266,33 +257,33 @@ export interface HatchingMaterialOptions {
    * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`.
    * `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the
    * sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`.
-   * Only `'anchored'`, `'engraved'`.
+   * For all but `'triangle'`, `'adjacency'`.
    */
   depthFade: number | 'auto';
   /**
    * Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene. Default
-   * `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
+   * `0`. For all but `'triangle'`, `'adjacency'`, with `depthFade` other than `0`.
    */
   depthFadeStart: number;
   /**
-   * Where fading ends, in the same units. Depths of the scene. Default `1`. Only `'anchored'`, `'engraved'`, with
-   * `depthFade` other than `0`.
+   * Where fading ends, in the same units. Depths of the scene. Default `1`. For all but `'triangle'`, `'adjacency'`,
+   * with `depthFade` other than `0`.
    */
   depthFadeEnd: number;
   /**
    * Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an
-   * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. Only
-   * `'anchored'`, `'engraved'`.
+   * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. For all
+   * but `'triangle'`, `'adjacency'`.
    */
   focus: Vector3Like | null;
   /**
    * How far around `focus` all is drawn. At two and a half times this distance nothing is left. Units of the world in
-   * (0, ∞). Default `1`. Only `'anchored'`, `'engraved'`, with `focus` other than `null`.
+   * (0, ∞). Default `1`. For all but `'triangle'`, `'adjacency'`, with `focus` other than `null`.
    */
   focusRadius: number;
   /**
    * How much the drawing falls off towards the rim of the sheet, in an oval: at 1 nothing is left at the middle of each
-   * side. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
+   * side. Share in [0, 1]. Default `0`. For all but `'triangle'`, `'adjacency'`.
    */
   vignette: number;
   /**
@@ -370,10 +361,10 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * The hatch images: a map, which materials may share and which you dispose of yourself; or the name of a style, whose
    * map all materials share (`TonalArtMap.shared`), drawn with the first frame that needs it. Until a map is ready the
    * surface is blank paper, and with `null` it stays so. Default `'hatching'`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * `'hatching'`, `'dryMedia'`.
    */
   tonalArtMap: HatchingMap;
-  /** How strokes are laid on the surface. Default `'anchored'`. Another value builds another program. */
+  /** What a surface is drawn with, and how. Default `'hatching'`. Another value builds another program. */
   technique: HatchingTechnique;
   /**
    * Size of the strokes: larger is finer. Tiles of the tonal art map per unit of object space in (0, ∞). Default `3`.
@@ -381,11 +372,11 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   tilesPerObjectUnit: number;
   /**
-   * Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2
-   * towards it (figure 14). With `strokeField: 'sheet'` it is their angle to the horizontal of the sheet,
-   * counterclockwise. For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is
-   * `'towards'`. Radians. Default `0`, for `'anchored'` `Math.PI / 2`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
-   * `'engraved'`, with `medium` `'ink'` or `'dry'` or `'pen'` or `'woodcut'` and `strokeField` `'light'` or `'sheet'`.
+   * How far strokes are turned, counterclockwise, as seen from outside. Where they follow the light, 0 draws them
+   * tangent to it, π/2 towards it (figure 14); with `direction: 'sheet'` it is their angle to the horizontal of the
+   * sheet. Of lines it turns what cuts them, where a light does: at π/2 `direction: 'light'` is `'towardsLight'`. Half
+   * a turn more is the same direction. Radians. Default `0`, for `'hatching'`, `'dryMedia'`, `'stipple'` `Math.PI / 2`.
+   * For all but `'stipple'`, with `direction` `'auto'` or `'light'` or `'towardsLight'` or `'sheet'`.
    */
   strokeAngle: number;
   /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
@@ -399,81 +390,81 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   crisp: boolean;
   /**
-   * What chooses the level of the map. `anchored` always goes by depth. Default `'derivatives'`. Only `'triangle'`,
-   * `'adjacency'`. Another value builds another program.
+   * What chooses the level of the map. `hatching` and `dryMedia` always go by depth. Default `'derivatives'`. Only
+   * `'triangle'`, `'adjacency'`. Another value builds another program.
    */
   levelRule: LevelRule;
   /**
    * What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping.
-   * In between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own
-   * for 0, which is cheaper. Share in [0, 1]. Default `1`. Only `'anchored'`, `'engraved'`.
+   * In between, strokes grow less than the object does as the camera comes nearer. Strokes and dots have a program of
+   * their own for 0, which is cheaper. Share in [0, 1]. Default `1`. For all but `'triangle'`, `'adjacency'`.
    */
   screenSpaceShare: number;
   /**
    * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
    * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
-   * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'anchored'` `1.5`.
-   * Only `'triangle'`, `'adjacency'`, `'anchored'`, with `crisp` `true`, or `levelRule` `'depth'`.
+   * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'hatching'`,
+   * `'dryMedia'`, `'stipple'` `1.5`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'dryMedia'`, `'stipple'`, with
+   * `crisp` `true`, or `levelRule` `'depth'`.
    */
   strokeWidth: number | null;
   /**
-   * Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have
-   * `softness` instead. Pixels of the drawing buffer in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`,
-   * `'anchored'`, with `crisp` `true` and `medium` `'ink'` or `'stipple'`.
+   * Width over which ink fades at the edge of a stroke or a dot. 0 is hard. Dry media have `softness` instead. Pixels
+   * of the drawing buffer in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'stipple'`, with
+   * `crisp` `true`.
    */
   edgePixels: number;
   /**
    * Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter
-   * strokes. Tiles in (0, ∞). Default `0.4`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
+   * strokes. Tiles in (0, ∞). Default `0.4`. Only `'hatching'`, `'dryMedia'`.
    */
   latticeSpacing: number;
   /**
-   * What strokes take their direction from. Default `'light'`. Only `'anchored'`, with `medium` `'ink'` or `'dry'`.
-   * Another value builds another program.
+   * What strokes and lines take their direction from. Strokes of `hatching` and `dryMedia` know `'light'`, `'form'`,
+   * `'acrossForm'` and `'sheet'`; lines of `engraving`, `pen` and `woodcut` know all but `'sheet'`. Another counts as
+   * the default. Default `'light'`. Only `'hatching'`, `'dryMedia'`, `'engraving'`, `'pen'`, `'woodcut'`. Another value
+   * builds another program.
    */
-  strokeField: StrokeField;
-  /** What cuts the surface into lines. Default `'light'`. Only `'engraved'`. Another value builds another program. */
-  lineField: LineField;
+  direction: StrokeDirection;
   /**
    * Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes
    * nearer new lines appear between them, thin at first. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0
-   * in (0, ∞). Default `4.5`. Only `'engraved'`.
+   * in (0, ∞). Default `4.5`. Only `'engraving'`, `'pen'`, `'woodcut'`.
    */
   lineSpacing: number;
   /**
    * Least distance between lines; never less than two pixels of the drawing buffer. Where lines would lie closer, every
    * other one is left out. Below three pixels lines flicker in motion. CSS pixels in [2, ∞). Default `3`. Only
-   * `'engraved'`.
+   * `'engraving'`, `'pen'`, `'woodcut'`.
    */
   minLineSpacing: number;
   /**
-   * Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, since
-   * strokes give way to others half as long as the camera comes nearer. CSS pixels at a `screenSpaceShare` of 1, 256ths
-   * of a tile at 0 in (0, ∞). Default `72`. Only `'engraved'`, with `medium` `'pen'` or `'woodcut'`.
+   * Length of a stroke of `pen`, and of a wedge of `woodcut`: from 0.7 to 1.4 times as much, since strokes give way to
+   * others half as long as the camera comes nearer. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0 in
+   * (0, ∞). Default `72`. Only `'pen'`, `'woodcut'`.
    */
   strokeLength: number;
   /**
-   * How many layers of strokes there are. Default `'single'`, for `'anchored'` `'tone'`. Only `'triangle'`,
-   * `'adjacency'`, `'anchored'`. Another value builds another program.
+   * How many layers of strokes there are. Default `'single'`, for `'hatching'`, `'dryMedia'`, `'stipple'` `'tone'`.
+   * Only `'triangle'`, `'adjacency'`, `'hatching'`, `'dryMedia'`, `'stipple'`. Another value builds another program.
    */
   get strokeLayers(): StrokeLayers;
   set strokeLayers(value: StrokeLayers | 'auto');
   /**
-   * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at
-   * 1 none do. Tone in [0, 1]. Default `0.52`, for `'anchored'` `0.6`. Only `'triangle'`, `'adjacency'`, `'anchored'`,
-   * `'engraved'`, with `strokeLayers` `'tone'`.
+   * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of an engraving, a
+   * pen or a woodcut; at 1 none do. Tone in [0, 1]. Default `0.52`, for `'hatching'`, `'dryMedia'`, `'stipple'` `0.6`.
+   * Only with `strokeLayers` `'tone'`.
    */
   crossFrom: number;
   /**
    * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
-   * cut the first lines of `engraved` and those that cut the lines across them; lines that follow the form cross as
-   * they were baked. 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only `'triangle'`,
-   * `'adjacency'`, `'anchored'`, `'engraved'`, with `strokeLayers` `'tone'`.
+   * cut the first lines and those that cut the lines across them; lines that follow the form cross as they were baked.
+   * 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only with `strokeLayers` `'tone'`.
    */
   crossAngle: number;
   /**
    * How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine. Share
-   * in [0, 1]. Default `0.4`. Only `'engraved'`.
+   * in [0, 1]. Default `0.4`. Only `'engraving'`, `'pen'`, `'woodcut'`.
    */
   irregularity: number;
   /**
@@ -488,60 +479,52 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   shadowStrokes: ShadowStrokes;
   /**
-   * What strokes are drawn with. The tone is the same with all. `'dry'` and `'stipple'` are for `anchored`, `'pen'` and
-   * `'woodcut'` are for `engraved`; a technique draws in ink with what is not for it. Default `'ink'`. Only
-   * `'anchored'`, `'engraved'`. Another value builds another program.
-   */
-  medium: Medium;
-  /**
-   * How strongly the tooth of the paper breaks up the strokes of a dry medium: at 0 strokes are smooth, at 1 only grain
-   * is left. Share in [0, 1]. Default `0.4`. Only `'anchored'`, with `medium` `'dry'`.
+   * How strongly the grain of the paper breaks up strokes: at 0 strokes are smooth, at 1 only grain is left. Share in
+   * [0, 1]. Default `0.4`. Only `'dryMedia'`.
    */
   paperGrain: number;
-  /** Size of the bumps of the paper. CSS pixels in (0, ∞). Default `2.5`. Only `'anchored'`, with `medium` `'dry'`. */
+  /** Size of the bumps of the paper. CSS pixels in (0, ∞). Default `2.5`. Only `'dryMedia'`. */
   paperGrainSize: number;
   /**
-   * How gradually a dry medium covers: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a
-   * grey. Share in [0, 1]. Default `0.6`. Only `'anchored'`, with `medium` `'dry'`.
+   * How gradually strokes cover: near 0 it is black or white, as charcoal pressed hard; at 1 every tone is a grey.
+   * Share in [0, 1]. Default `0.6`. Only `'dryMedia'`.
    */
   softness: number;
-  /**
-   * How much of a dry medium is rubbed into plain tone below the strokes. Share in [0, 1]. Default `0`. Only
-   * `'anchored'`, with `medium` `'dry'`.
-   */
+  /** How much of the strokes is rubbed into plain tone below them. Share in [0, 1]. Default `0`. Only `'dryMedia'`. */
   smudge: number;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
   /**
    * How dark the tone model `'shadow'` prints a full shadow where it touches what casts it, as a factor on the tone
    * after the tone curve. At one half a shadow on the ground is lighter than the darks of the body. Tone in [0, 1].
-   * Default `1`, for `'anchored'` `0.5`, for `'engraved'` `0.5`. Only with `toneModel` `'shadow'`.
+   * Default `1`, for all but `'triangle'`, `'adjacency'` `0.5`. Only with `toneModel` `'shadow'`.
    */
   shadowTone: number;
   /**
    * How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it:
    * the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1:
-   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for `'anchored'`
-   * `0.65`, for `'engraved'` `0.65`. Only with `toneModel` `'shadow'`.
+   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for all but
+   * `'triangle'`, `'adjacency'` `0.65`. Only with `toneModel` `'shadow'`.
    */
   shadowFade: number;
   /**
    * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them: the
    * width of a round lamp as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius`
-   * says. Factor in [0, ∞). Default `0`, for `'anchored'` `0.12`, for `'engraved'` `0.12`. Only with `toneModel`
+   * says. Factor in [0, ∞). Default `0`, for all but `'triangle'`, `'adjacency'` `0.12`. Only with `toneModel`
    * `'shadow'`.
    */
   shadowSoftness: number;
   /**
    * Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again. Default
-   * `'strokes'`, for `'anchored'` `'away'`, for `'engraved'` `'away'`. Only with `toneModel` `'shadow'`. Another value
+   * `'strokes'`, for all but `'triangle'`, `'adjacency'` `'away'`. Only with `toneModel` `'shadow'`. Another value
    * builds another program.
    */
   get shadowDirection(): ShadowDirection;
   set shadowDirection(value: ShadowDirection | 'auto');
   /**
    * How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the
-   * ground is calmer than the body. Factor in (0, ∞). Default `1.4`. Only `'engraved'`, with `toneModel` `'shadow'`.
+   * ground is calmer than the body. Factor in (0, ∞). Default `1.4`. Only `'engraving'`, `'pen'`, `'woodcut'`, with
+   * `toneModel` `'shadow'`.
    */
   shadowSpacing: number;
   /** Number of bands of the tone model `'toon'`. Count in [2, ∞). Default `4`. Only with `toneModel` `'toon'`. */
@@ -553,7 +536,7 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   shininess: number;
   /**
    * The normal that tone is computed from. The value in use is read back; `'auto'` leaves it to the technique again.
-   * Default `'face'`, for `'anchored'` `'smooth'`, for `'engraved'` `'smooth'`. Another value builds another program.
+   * Default `'face'`, for all but `'triangle'`, `'adjacency'` `'smooth'`. Another value builds another program.
    */
   get toneNormal(): ToneNormal;
   set toneNormal(value: ToneNormal | 'auto');
@@ -574,13 +557,14 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that
    * of printed line drawings, whose lights stay blank, and in whose deepest shade some paper shows. Or 2 to 8 points
    * `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other
-   * points need no other program. Default `'linear'`, for `'anchored'` `'printed'`, for `'engraved'` `'printed'`.
+   * points need no other program. Default `'linear'`, for all but `'triangle'`, `'adjacency'` `'printed'`.
    */
   toneCurve: ToneCurve;
   /**
    * Share of each light that the surroundings throw back from behind: shade is darkest at the terminator, as engravers
    * draw it. Planes in shade get more of it on one side of the light, so that two walls at one angle to the light
-   * differ. Share in [0, 1]. Default `0`, for `'anchored'` `0.35`, for `'engraved'` `0.4`.
+   * differ. Share in [0, 1]. Default `0`, for `'hatching'`, `'dryMedia'`, `'stipple'` `0.35`, for `'engraving'`,
+   * `'pen'`, `'woodcut'` `0.4`.
    */
   reflectedLight: number;
   /**
@@ -590,8 +574,8 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   occlusion: number;
   /**
    * How far hollows that `occlusion` knows of are brought to the darkest tone, under any light: sockets, nostrils, the
-   * parting of lips, undercuts and contacts. At 0 they only lose light. Share in [0, 1]. Default `0`, for `'anchored'`
-   * `1`, for `'engraved'` `1`. Only with `occlusion` other than `0`.
+   * parting of lips, undercuts and contacts. At 0 they only lose light. Share in [0, 1]. Default `0`, for all but
+   * `'triangle'`, `'adjacency'` `1`. Only with `occlusion` other than `0`.
    */
   hollowStrength: number;
   /**
@@ -615,34 +599,34 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`.
    * `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the
    * sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`.
-   * Only `'anchored'`, `'engraved'`.
+   * For all but `'triangle'`, `'adjacency'`.
    */
   depthFade: number | 'auto';
   /**
    * Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene. Default
-   * `0`. Only `'anchored'`, `'engraved'`, with `depthFade` other than `0`.
+   * `0`. For all but `'triangle'`, `'adjacency'`, with `depthFade` other than `0`.
    */
   depthFadeStart: number;
   /**
-   * Where fading ends, in the same units. Depths of the scene. Default `1`. Only `'anchored'`, `'engraved'`, with
-   * `depthFade` other than `0`.
+   * Where fading ends, in the same units. Depths of the scene. Default `1`. For all but `'triangle'`, `'adjacency'`,
+   * with `depthFade` other than `0`.
    */
   depthFadeEnd: number;
   /**
    * Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an
-   * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. Only
-   * `'anchored'`, `'engraved'`.
+   * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. For all
+   * but `'triangle'`, `'adjacency'`.
    */
   get focus(): Vector3 | null;
   set focus(value: Vector3Like | null);
   /**
    * How far around `focus` all is drawn. At two and a half times this distance nothing is left. Units of the world in
-   * (0, ∞). Default `1`. Only `'anchored'`, `'engraved'`, with `focus` other than `null`.
+   * (0, ∞). Default `1`. For all but `'triangle'`, `'adjacency'`, with `focus` other than `null`.
    */
   focusRadius: number;
   /**
    * How much the drawing falls off towards the rim of the sheet, in an oval: at 1 nothing is left at the middle of each
-   * side. Share in [0, 1]. Default `0`. Only `'anchored'`, `'engraved'`.
+   * side. Share in [0, 1]. Default `0`. For all but `'triangle'`, `'adjacency'`.
    */
   vignette: number;
   /**

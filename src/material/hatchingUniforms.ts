@@ -15,6 +15,7 @@ import {
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import { runsAway } from '../look/queries.js';
+import { axisAngle } from '../look/vectors.js';
 import { isFitted } from './exposure/ToneFit.js';
 import { createFadingUniforms } from './fading/fading.js';
 import { curveEnds, fittedCurve, type ToneCurve } from './fitToneCurve.js';
@@ -200,18 +201,18 @@ const highlightKept = (tone: number, { x, y }: Vector2): number => tone * Math.m
 /** Writes the uniforms that are computed from several properties, or from one in another unit. Allocates nothing. */
 export function writeComputedUniforms(material: HatchingMaterialProperties, u: Uniforms): void {
   write(u.blendCosine, Math.cos(material.blendAngle));
-  // u = s·cos − t·sin, v = s·sin + t·cos, in tiles
+  // u = s·cos + t·sin, v = t·cos − s·sin, in tiles
   const { tilesPerObjectUnit: scale, strokeOffset: offset } = material;
   const isAway = runsAway(material);
-  // A rotation by a right angle makes the strokes of a map run along the direction of the light.
-  const rotation = isAway ? Math.PI / 2 : material.strokeAngle;
-  const cos = Math.cos(rotation);
-  const sin = Math.sin(rotation);
+  // Turned by a right angle, the strokes of a map run along the direction of the light.
+  const turn = axisAngle(isAway ? Math.PI / 2 : material.strokeAngle);
+  const cos = Math.cos(turn);
+  const sin = Math.sin(turn);
   // Matrix3.set with nine arguments would allocate each of them; this writes the elements, column by column.
   const { elements } = u.strokeTransform.value as Matrix3;
   elements[0] = elements[4] = cos * scale;
-  elements[1] = sin * scale;
-  elements[3] = -elements[1];
+  elements[3] = sin * scale;
+  elements[1] = -elements[3];
   elements[6] = offset.x;
   elements[7] = offset.y;
   u.strokeDirection.value.set(cos, sin);

@@ -1,6 +1,7 @@
 import type { Texture } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import { HATCHING_PROPERTIES, HATCHING_TECHNIQUES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { familyOf } from '../look/presetParameters.js';
 import { drawnValue, needsAdjacency } from '../look/queries.js';
 import { VERTEX_LAYOUTS, type VertexLayout } from './deformation/canDeform.js';
 import type { ToneCurve } from './fitToneCurve.js';
@@ -48,7 +49,7 @@ export function programDefines(
       defines[channelDefine(property)] = texture ? CHANNEL_VARYINGS[texture.channel] : undefined;
       usesFirstChannel ||= texture?.channel === 0;
     }
-    if (!('define' in property) || property.define === undefined) continue;
+    if (!('define' in property)) continue;
     const value = drawnValue(material, name, hasForm);
     if (property.kind === 'choice') defines[property.define] = property.choices.indexOf(value as string);
     else defines[property.define] = value ? '' : undefined;
@@ -59,8 +60,7 @@ export function programDefines(
   // three.js itself defines USE_UV1 to USE_UV3.
   defines.USE_UV0 = usesFirstChannel ? '' : undefined;
   // Strokes that are sized on the object alone need one lattice and no code for a second.
-  const { hasProgramForObject } = HATCHING_TECHNIQUES[technique];
-  defines.SCREEN_SPACE_SHARE = hasProgramForObject && screenSpaceShare > 0 ? '' : undefined;
+  defines.SCREEN_SPACE_SHARE = familyOf(technique) === 'strokes' && screenSpaceShare > 0 ? '' : undefined;
   return defines;
 }
 

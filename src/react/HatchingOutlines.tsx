@@ -15,7 +15,7 @@ export interface HatchingOutlinesProps extends HatchingOutlineParameters {
  *
  * ```tsx
  * <mesh geometry={geometry}>
- *   <hatchingMaterial technique="anchored" tonalArtMap={map} />
+ *   <hatchingMaterial technique="hatching" tonalArtMap={map} />
  *   <HatchingOutlines outlineWidth={2} wobble={1} />
  * </mesh>
  * ```

@@ -12,7 +12,7 @@ import {
  */
 export class FollowedMaterial extends HatchingMaterial {
   /** The properties at the last draw that decide which map and which code are needed. */
-  private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique' | 'medium' | 'version'>> = {};
+  private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique' | 'version'>> = {};
 
   // The hook of HatchingMaterial runs before this one, as before any hook that a user sets.
   override onBeforeRender(): void {
@@ -20,11 +20,10 @@ export class FollowedMaterial extends HatchingMaterial {
     const isSame =
       followed.tonalArtMap === this.tonalArtMap &&
       followed.technique === this.technique &&
-      followed.medium === this.medium &&
       followed.version === this.version;
     if (isSame) return;
-    const { tonalArtMap, technique, medium, version } = this;
-    this.followed = { tonalArtMap, technique, medium, version };
+    const { tonalArtMap, technique, version } = this;
+    this.followed = { tonalArtMap, technique, version };
     // Failures to draw the map or to fetch the code are reported by the library.
     this.ready.then(() => invalidate()).catch(() => {});
   }

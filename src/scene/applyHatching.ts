@@ -39,13 +39,13 @@ const IN_GLSL: LookMakers = {
  * material is); those that are hatched already, so that after meshes were added another call hatches them; and, with an `error`,
  * those whose geometry cannot be baked or whose geometry or material was replaced during the call. Meshes that are hatched without
  * the requested outlines are listed too.
- * - Lines of `engraved` continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
+ * - Lines continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
  * share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines. Lines that follow the form
  * continue where the borders of meshes meet.
  * - Geometries that `triangle` or `adjacency` draws are baked with adjacency, the others without, unless `adjacency` requests it.
  * No map is drawn for materials that need none.
  * - `outlines` draws contours, borders and creases of every mesh except `BatchedMesh`, and cut-outs that are blended or write no depth.
- * - A `BatchedMesh` keeps its geometry. `anchored` hatches it with the normals that it has; other techniques can draw it only if
+ * - A `BatchedMesh` keeps its geometry. Most techniques hatch it with the normals that it has; `triangle` and `adjacency` can draw it only if
  * it was filled with prepared geometries.
  *
  * The promise is rejected

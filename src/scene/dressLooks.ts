@@ -95,7 +95,7 @@ function batchGeometry(plan: PlannedMesh): BufferGeometry | Error {
   const { mesh, geometry } = plan;
   if (needsNoAdjacency(plan) || geometry.hasAttribute(cornerLayout[0].name)) return geometry;
   return new TypeError(
-    `applyHatching: the ${describeObject(mesh)} has no triangle adjacency. Use the technique 'anchored' for it, or fill it with results of prepareHatchingGeometry(geometry, { adjacency: true }).`,
+    `applyHatching: the ${describeObject(mesh)} has no triangle adjacency. Use the technique 'hatching' for it, or fill it with results of prepareHatchingGeometry(geometry, { adjacency: true }).`,
   );
 }
 

@@ -1,5 +1,5 @@
 import type { BufferGeometry, Material, Mesh } from 'three';
-import { followsForm, formFieldOf, formOf, needsAdjacency } from '../look/queries.js';
+import { drawsLines, followsForm, formOf, needsAdjacency } from '../look/queries.js';
 import type { HatchingFormOptions } from '../material/geometry/HatchingFormOptions.js';
 import type { GeometryPart } from '../material/geometry/jointForms.js';
 import type { PrepareHatchingGeometryOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
@@ -74,7 +74,7 @@ export function askingMaterials(plan: PlannedMesh): HatchingMaterial[] {
 
 /** The material that decides the angle at which lines are baked to cross. Strokes cross by being turned and need no bake. */
 export const crossingOf = (asking: readonly HatchingMaterial[]): HatchingMaterial | undefined =>
-  asking.find((material) => formFieldOf(material) === 'lineField');
+  asking.find((material) => drawsLines(material.technique));
 
 /** The options of the form field: the world's up direction and the angle of the material, unless the options set others. */
 function formFor(plan: PlannedMesh, { form }: PrepareHatchingGeometryOptions): GeometryPlan['form'] {
@@ -88,11 +88,11 @@ function formFor(plan: PlannedMesh, { form }: PrepareHatchingGeometryOptions): G
   return { up, auto, ...(crossing && { crossAngle: crossing.crossAngle }), ...(typeof form === 'object' && form) };
 }
 
-/** The geometry and material of a mesh, and the coordinate frame of its engraved lines. */
+/** The geometry and material of a mesh, and the coordinate frame of its lines. */
 export interface MeshLook {
   mesh: Mesh;
   geometry: BufferGeometry;
   material: Material | Material[];
-  /** The matrix from the mesh's object space to the coordinate frame of its engraved lines, if it shares that frame with others. */
+  /** The matrix from the mesh's object space to the coordinate frame of its lines, if it shares that frame with others. */
   fieldFrame: number[] | undefined;
 }

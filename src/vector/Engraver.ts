@@ -1,11 +1,11 @@
-import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../look/constants/engravedConstants.js';
+import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../look/constants/lineConstants.js';
 import { combined, lengthOf, type Vec3 } from '../look/vectors.js';
 import type { SurfacePlace } from './LineSurface.js';
-import type { FamilyMeasure, LineMedium, StrokePlace } from './lineMarks.js';
+import type { FamilyMeasure, LineTechnique, StrokePlace } from './lineMarks.js';
 import type { Projection } from './Projection.js';
 import { rowOctaves } from './shading/carving.js';
 import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } from './shading/crossedTones.js';
-import type { CutField, Field } from './shading/fieldAxis.js';
+import type { CutDirection, Field } from './shading/fieldAxis.js';
 import { handTone } from './shading/hand.js';
 import {
   COARSEST_OCTAVES,
@@ -32,8 +32,8 @@ import type { Tones } from './ToneReader.js';
 
 /** The properties of engraved lines on a surface. */
 export interface EngravedLook {
-  lineField: CutField | 'form' | 'acrossForm';
-  medium: LineMedium;
+  direction: CutDirection | 'form' | 'acrossForm';
+  technique: LineTechnique;
   /** Length of the strokes of a pen or a gouge: pixels, or 256ths of a tile. */
   strokeLength: number;
   spacing: LineSpacing;
@@ -107,19 +107,19 @@ export class Engraver {
     return this.cut === null;
   }
 
-  get medium(): LineMedium {
-    return this.look.medium;
+  get technique(): LineTechnique {
+    return this.look.technique;
   }
 
   /** The families that the surface may have. */
   get families(): readonly FamilyName[] {
-    const { crossFrom, crossesInShadows, medium } = this.look;
+    const { crossFrom, crossesInShadows, technique } = this.look;
     return FAMILIES.filter((name) => {
       if (name === 'first') return true;
       // Only one family crosses lines that follow the form.
       if (this.cut === null && name.endsWith('C')) return false;
       if (name.startsWith('shadow')) return crossesInShadows;
-      if (name.startsWith('third') && medium !== 'pen') return false;
+      if (name.startsWith('third') && technique !== 'pen') return false;
       // Where the first family has no lines, others take its tone.
       return crossFrom < 1 || this.cut !== null;
     });
@@ -158,7 +158,7 @@ export class Engraver {
 
   measure(family: FamilyName, at: EngravedPlace, tones: Tones): FamilyMeasure {
     const reading = this.read(family, at);
-    const { spacing, medium, irregularity } = this.look;
+    const { spacing, technique, irregularity } = this.look;
     const { smooth, flat, triangle } = at;
     const { gradient, rise, coarsest, pressure } = reading;
     const tone = handTone(pressure, this.toneOf(family, reading, tones));
@@ -173,15 +173,15 @@ export class Engraver {
       widths: this.cut === null ? 0 : irregularity,
       // Lines that follow the form have other numbers on the other side of a seam, so they cannot dissolve one by one.
       left: this.cut === null ? 1 : tones.left,
-      isEven: this.cut !== null && medium === 'ink',
-      strokes: medium === 'ink' ? null : this.strokesAt(medium, at, reading, cutOctave),
+      isEven: this.cut !== null && technique === 'engraving',
+      strokes: technique === 'engraving' ? null : this.strokesAt(technique, at, reading, cutOctave),
     };
   }
 
   /** The tone that a family prints, before the pressure of the hand. */
   private toneOf(family: FamilyName, { firstShare, shareB }: Reading, tones: Tones): number {
-    const { crossFrom, crossesInShadows, medium } = this.look;
-    const isPen = medium === 'pen';
+    const { crossFrom, crossesInShadows, technique } = this.look;
+    const isPen = technique === 'pen';
     const taken = (tone: number, from: number) => (isPen ? takenOf(tone, from, KEPT_BY_PEN) : takenOf(tone, from));
     const own = crossesInShadows ? tones.unshadowed : tones.tone;
     const first = firstShare * taken(own, crossFrom);
@@ -200,7 +200,7 @@ export class Engraver {
   }
 
   private strokesAt(
-    medium: StrokePlace['medium'],
+    technique: StrokePlace['technique'],
     { place: { field, fieldNormal }, smooth, flat }: EngravedPlace,
     { gradient, value, coarsest }: Reading,
     cutOctave: number,
@@ -211,12 +211,12 @@ export class Engraver {
       along: alongLines(field, fieldNormal, gradient, smooth, { strokeLength, screenSpaceShare }),
       uphill: uphillOnPicture(gradient, flat),
       repeat: this.cut === null ? powerOf2(coarsest) : Infinity,
-      ...{ medium, irregularity, value, cutOctave },
+      ...{ technique, irregularity, value, cutOctave },
     };
   }
 
   private read(family: FamilyName, { cut: reading, place: { field, form, formCrossing } }: EngravedPlace): Reading {
-    const { irregularity, lineField, medium } = this.look;
+    const { irregularity, direction, technique } = this.look;
     if (this.cut !== null && reading !== null) {
       const lean = this.leans[family];
       return {
@@ -227,16 +227,16 @@ export class Engraver {
         coarsest: ANY_OCTAVE,
       };
     }
-    const isAcross = lineField === 'acrossForm';
+    const isAcross = direction === 'acrossForm';
     const [first, other] = isAcross ? [formCrossing, form] : [form, formCrossing];
     const coarsest = isAcross ? COARSEST_OCTAVES.toReversed() : COARSEST_OCTAVES;
-    const a = readForm(first, field, irregularity, medium === 'ink');
+    const a = readForm(first, field, irregularity, technique === 'engraving');
     const rest = { pressure: a.pressure, firstShare: 1, shareB: 1 };
     if (family === 'first') {
       const { gradient } = first;
       return { value: a.value, gradient, rise: lengthOf(gradient), coarsest: coarsest[0], ...rest };
     }
-    const b = readForm(other, field, irregularity, medium === 'ink');
+    const b = readForm(other, field, irregularity, technique === 'engraving');
     const rise = lengthOf(other.gradient);
     if (family === 'crossB') return { value: b.value, gradient: other.gradient, rise, coarsest: coarsest[1], ...rest };
     // The difference of the two functions is whole across seams too, and its lines lean the other way.

@@ -9,7 +9,7 @@ import { type CutRun, cutRun, limitToSurface, refineEnds } from './cutRun.js';
 import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js';
 import { Engraver, type FamilyName } from './Engraver.js';
 import { dashed, endHairlines } from './hairlines.js';
-import type { LineMedium } from './lineMarks.js';
+import type { LineTechnique } from './lineMarks.js';
 import { dropShortLines } from './outlines/dropShortLines.js';
 import { loseEdges, type SeenOutline } from './outlines/loseEdges.js';
 import { outlineChains } from './outlines/outlineChains.js';
@@ -191,7 +191,7 @@ export class LineDrawer {
       const [from, to] = [i, i + 1].map((k) => TRACED + ((1 - TRACED) * k) / lines.length);
       yield from;
       for (const { faded, left } of yield* this.fadedParts(line, clipped(this.surfaceTest(line), engraved.clip))) {
-        const chain = this.asPressHolds(faded, engraved.engraved.medium);
+        const chain = this.asPressHolds(faded, engraved.engraved.technique);
         const isSeen = this.isLeftOf(chain, left, clipped(this.surfaceTest(chain), engraved.clip));
         const adding = this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, left, engraved);
         yield* asPhase(adding, from, to);
@@ -270,11 +270,11 @@ export class LineDrawer {
   }
 
   /** A line of a print, nowhere thinner than a press can hold. */
-  private asPressHolds(line: Chain, medium: LineMedium): Chain {
+  private asPressHolds(line: Chain, technique: LineTechnique): Chain {
     const { least } = this;
     // The black of a woodcut is drawn in adjacent cells, which may be thin.
-    if (least === 0 || medium === 'woodcut') return line;
-    if (medium === 'ink') return dashed(line, least);
+    if (least === 0 || technique === 'woodcut') return line;
+    if (technique === 'engraving') return dashed(line, least);
     // Strokes end instead of becoming dashes.
     endHairlines(line, least);
     return line;

@@ -26,7 +26,13 @@ export function* evenSpacing(
 ): Generator<number, LineOffsets | undefined, void> {
   const { pen, toneReader, engraver, places } = tracing;
   // The tones of grounds and of textures vary everywhere.
-  if (pen === null || toneReader.isGround || engraver.hasSeams || places.hasDetails || engraver.medium !== 'ink')
+  if (
+    pen === null ||
+    toneReader.isGround ||
+    engraver.hasSeams ||
+    places.hasDetails ||
+    engraver.technique !== 'engraving'
+  )
     return undefined;
   const { placeOf, triangles } = tracing.surface;
   const octaves = yield* asPhase(askedOctaves(tracing, family, ranks, tones, pen), 0, 0.6);

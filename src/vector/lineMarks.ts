@@ -8,7 +8,7 @@ import { powerOf2, roomOf } from './shading/ruledLines.js';
 import type { Along } from './shading/strokeLengths.js';
 
 /** How lines are drawn: as ink in one go, in strokes of a pen, or white with a gouge. */
-export type LineMedium = 'ink' | 'pen' | 'woodcut';
+export type LineTechnique = 'engraving' | 'pen' | 'woodcut';
 
 /** The properties of a family at a place that its lines depend on. */
 export interface FamilyMeasure {
@@ -31,7 +31,7 @@ export interface FamilyMeasure {
 
 /** A place along the strokes of a family. */
 export interface StrokePlace {
-  medium: Exclude<LineMedium, 'ink'>;
+  technique: Exclude<LineTechnique, 'engraving'>;
   along: Along;
   irregularity: number;
   /** The octave of the spacing of a woodcut's cuts, which is wider where white or black is rare. */
@@ -81,7 +81,7 @@ const NOTHING: LineMark = { half: 0, margin: -1, shift: 0 };
 /** A line of a print: its width is the tone. */
 export function printedMark(measure: FamilyMeasure, line: Line): LineMark {
   const { tone, octave, perPixel, widths, left, strokes } = measure;
-  if (strokes?.medium === 'pen') return printedStroke(measure, strokes, line);
+  if (strokes?.technique === 'pen') return printedStroke(measure, strokes, line);
   if (strokes) return blockBetweenCuts(measure, strokes, line, printedOctave(measure));
   const room = roomOf(line.rank, octave) / perPixel;
   // A line wider than its room would cover no more.
@@ -96,7 +96,7 @@ export function printedMark(measure: FamilyMeasure, line: Line): LineMark {
 export function plottedMark(measure: FamilyMeasure, line: Line, pen: number): LineMark {
   const { strokes, perPixel, isEven, tone } = measure;
   const half = pen / 2;
-  if (strokes?.medium === 'woodcut') {
+  if (strokes?.technique === 'woodcut') {
     const black = blockBetweenCuts(measure, strokes, line, plottedOctave(measure, pen));
     return { half, margin: Math.min(black.margin, black.half - LEAST_BLACK * half), shift: black.shift };
   }
@@ -111,20 +111,20 @@ export function plottedMark(measure: FamilyMeasure, line: Line, pen: number): Li
 /** The octave of the finest lines that a print may need at a place. */
 export const printedOctave = ({ octave, strokes }: FamilyMeasure): number =>
   // Cells of the block are no wider than half the spacing of cuts, so that narrow ends are not ragged where a surface ends.
-  strokes?.medium === 'woodcut' ? octave - 1 : octave;
+  strokes?.technique === 'woodcut' ? octave - 1 : octave;
 
 /** The octave of the finest lines that a pen may need at a place. */
 export function plottedOctave(measure: FamilyMeasure, pen: number): number {
   const { perPixel, strokes, octave } = measure;
   // Cells of the block are no wider than the pen, so that it fills them.
-  if (strokes?.medium === 'woodcut') return Math.min(Math.log2(pen * perPixel), octave);
+  if (strokes?.technique === 'woodcut') return Math.min(Math.log2(pen * perPixel), octave);
   // Half an octave of margin, for tones between the corners of a triangle.
   return Math.log2(penSpacing(measure, pen)) - 0.5;
 }
 
 /** The rank of the finest lines that are traced at an octave: the cells of a block lie between old lines and new ones. */
-export const finestRank = (octave: number, medium: LineMedium): number =>
-  Math.ceil(octave) - (medium === 'woodcut' ? 2 : 1);
+export const finestRank = (octave: number, technique: LineTechnique): number =>
+  Math.ceil(octave) - (technique === 'woodcut' ? 2 : 1);
 
 /** The spacing of a pen's lines, in units of the function. pen: its width, pixels. */
 const penSpacing = (measure: FamilyMeasure, pen: number): number => penDistance(measure, pen) * measure.perPixel;

@@ -1,4 +1,4 @@
-import { LINE_CONSTANTS } from '../look/constants/engravedConstants.js';
+import { LINE_CONSTANTS } from '../look/constants/lineConstants.js';
 import type { Engraver, FamilyName } from './Engraver.js';
 import { cornersOf, type LineSurface } from './LineSurface.js';
 import { NO_RANK } from './levelSegments.js';
@@ -95,7 +95,7 @@ class VertexReader {
         for (let i = 0; i < families.length; i++) {
           const measure = engraver.measure(families[i], at, tones);
           const octave = tracing.pen === null ? printedOctave(measure) : plottedOctave(measure, tracing.pen);
-          const rank = finestRank(octave, engraver.medium);
+          const rank = finestRank(octave, engraver.technique);
           if (rank < into[i].ranks[vertex]) into[i].ranks[vertex] = rank;
           if (measure.tone > this.leastTone) into[i].isDark[vertex] = 1;
         }

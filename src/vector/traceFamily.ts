@@ -206,7 +206,7 @@ class LineTracer {
   /** Number of steps of a line between two places over a triangle: one, unless textures, strokes or wedges change within. */
   stepsTo(from: Measured, to: Measured): number {
     const { engraver, places } = this.tracing;
-    if (engraver.medium === 'ink' && !places.hasPaint) return 1;
+    if (engraver.technique === 'engraving' && !places.hasPaint) return 1;
     return Math.min(Math.max(Math.ceil(lengthBetween(from, to) / STROKE_STEP), 1), MOST_STEPS);
   }
 

@@ -24,7 +24,7 @@ import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { defaultOf, spelledOut } from '../look/presetParameters.js';
-import { formOf, needsMap, resolveLook, usesThresholds } from '../look/queries.js';
+import { formOf, needsAdjacency, needsMap, resolveLook, usesThresholds } from '../look/queries.js';
 import { checkChoice, checkValues, type HatchingMaterialParameters } from '../material/checkValues.js';
 import { FrameStamp } from '../material/FrameStamp.js';
 import { takesWeight, writeFading, writeImportance } from '../material/fading/fading.js';
@@ -93,7 +93,7 @@ export interface HatchingNodeMaterial extends Pick<HatchingMaterialProperties, H
 
 /**
  * `HatchingMaterial` for WebGPURenderer, experimental: the same properties with the same names, defaults and checks. It draws the
- * techniques `engraved` and `anchored` in every medium. A choice that it cannot draw yet is replaced by the nearest one, with one warning
+ * techniques but `triangle` and `adjacency`. A choice that it cannot draw yet is replaced by the nearest one, with one warning
  * (docs/support.md).
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
@@ -166,7 +166,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 
   /**
-   * Resolves when everything the material draws with is loaded: its tonal art map, the pattern of its medium, and the code that fits the
+   * Resolves when everything the material draws with is loaded: its tonal art map, the pattern of its technique, and the code that fits the
    * exposure. These are fetched when a material first needs them; until then strokes are missing and the exposure is 1. For a page that
    * renders only on changes: `material.ready.then(render)`. Rejects if one of them cannot be loaded; reading it again tries again.
    */
@@ -357,13 +357,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   private warnOfMissing(): void {
     const { technique } = this;
-    if (technique !== 'engraved' && technique !== 'anchored')
-      warnOnce(`there are no nodes of the technique "${technique}" yet; "engraved" is drawn.`);
+    if (needsAdjacency(this)) warnOnce(`there are no nodes of the technique "${technique}" yet; "engraving" is drawn.`);
   }
 
   private print(lit: LitSurface, builder: NodeBuilder): Value {
     const { material } = builder;
-    const { look, medium, toneModel } = this;
+    const { look, technique, toneModel } = this;
     const emitted = materialEmissive;
     const radiance = lit.radiance.add(lightLuminance(emitted)).toVar();
     const surface = { ...lit, radiance, darkness: localDarkness(diffuseColor.xyz, emitted) };
@@ -371,7 +370,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const fading = fadingAt(positionView, pixelFromBelow()).toVar();
     const tone = shadedTone(surface, rules).mul(fading).toVar();
     // Dots cannot cross one another: two sets of them would clump.
-    const crosses = lit.shadowed && resolveLook(look, false).shadowStrokes === 'cross' && medium !== 'stipple';
+    const crosses = lit.shadowed && resolveLook(look, false).shadowStrokes === 'cross' && technique !== 'stipple';
     const unshadowed = crosses ? unshadowedTone(surface, rules).mul(fading).toVar() : null;
     const color = mix(vec3(1), filledColor(diffuseColor.xyz), fading);
     const isOpaque = !(material as Material).transparent;
@@ -394,13 +393,6 @@ const curveOf = (curve: ToneCurve): number =>
   TONE_CURVES.indexOf(curve === 'linear' || curve === 'perceptual' ? curve : 'points');
 
 /** The choices that nodes are built for, with what follows from them. */
-const choicesOf = ({
-  technique,
-  medium,
-  lineField,
-  strokeField,
-  strokeLayers,
-  shadowStrokes,
-}: HatchingNodeMaterial): string[] => [
-  ...[NAME, technique, medium, lineField, strokeField, strokeLayers, shadowStrokes],
+const choicesOf = ({ technique, direction, strokeLayers, shadowStrokes }: HatchingNodeMaterial): string[] => [
+  ...[NAME, technique, direction, strokeLayers, shadowStrokes],
 ];

@@ -1,8 +1,9 @@
-/** Code that is fetched when a material first needs it: patterns of media, and the fit of the exposure. */
+/** Code that is fetched when a material first needs it: patterns of techniques, and the fit of the exposure. */
 import type { Camera, DataTexture, IUniform, Scene, WebGLRenderer } from 'three';
+import type { HatchingTechnique } from '../look/hatchingProperties.js';
 import { isFitted, writeFit } from '../material/exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
-import type { hatchLayer } from './nodes/anchored/stipple.js';
+import type { hatchLayer } from './nodes/strokes/stipple.js';
 
 /** Code that is imported when a material first needs it. */
 export class Later<Code> {
@@ -40,7 +41,7 @@ export class Later<Code> {
   }
 }
 
-/** The code of a medium's pattern. */
+/** The code of a technique's pattern. */
 interface Code {
   readonly texture: () => DataTexture;
   /** Prints dots; stipple alone has it. */
@@ -53,9 +54,9 @@ interface Pattern {
   readonly made: Later<Code>;
 }
 
-/** The pattern of each medium that has one. */
-const PATTERNS: Readonly<Partial<Record<string, Pattern>>> = {
-  dry: {
+/** The pattern of each technique that has one. */
+const PATTERNS: Readonly<Partial<Record<HatchingTechnique, Pattern>>> = {
+  dryMedia: {
     name: 'toothMap',
     made: /* @__PURE__ */ new Later('makes the tooth of paper', 'surfaces are plain paper', async () => ({
       texture: (await import('../material/tam/toothMap.js')).toothMap,
@@ -64,29 +65,28 @@ const PATTERNS: Readonly<Partial<Record<string, Pattern>>> = {
   stipple: {
     name: 'stippleMap',
     made: /* @__PURE__ */ new Later('places dots', 'surfaces are plain paper', async () => {
-      const codes = [import('../material/tam/stippleMap.js'), import('./nodes/anchored/stipple.js')] as const;
+      const codes = [import('../material/tam/stippleMap.js'), import('./nodes/strokes/stipple.js')] as const;
       const [{ stippleMap }, { hatchLayer }] = await Promise.all(codes);
       return { texture: stippleMap, dotLayer: hatchLayer };
     }),
   },
 };
 
-type Look = Pick<HatchingMaterialProperties, 'technique' | 'medium'>;
+type Look = Pick<HatchingMaterialProperties, 'technique'>;
 
-const patternOf = ({ technique, medium }: Look): Pattern | undefined =>
-  technique === 'anchored' ? PATTERNS[medium] : undefined;
+const patternOf = ({ technique }: Look): Pattern | undefined => PATTERNS[technique];
 
-/** Resolves when the pattern of a material's medium is loaded, or it has none. */
+/** Resolves when the pattern of a material's technique is loaded, or it has none. */
 export const patternReady = async (look: Look): Promise<void> => patternOf(look)?.made.fetch();
 
 /** The function that prints the dots of a material, once it is loaded. Nodes built before that print none. */
 export const dotLayerOf = (look: Look): Code['dotLayer'] => patternOf(look)?.made.code?.dotLayer;
 
 /**
- * Writes the pattern of a material's medium, once it is loaded.
+ * Writes the pattern of a material's technique, once it is loaded.
  *
  * @param whenThere called when it is loaded, if it is not yet
- * @returns whether it is loaded, or the medium has none
+ * @returns whether it is loaded, or the technique has none
  */
 export function writePattern(look: Look, uniforms: Record<string, IUniform>, whenThere: () => void): boolean {
   const pattern = patternOf(look);

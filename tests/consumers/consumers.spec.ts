@@ -38,7 +38,7 @@ const COPIED = [
     link: 'ink=%23203080&paper=%23f0f0e0&secondLight=right&lightFollows=viewer&shadows=on&ground=floor&upAxis=z&mapTones=6&mapSize=128',
     files: [file('column.glb', columnGlb())],
   },
-  { name: 'a form that the page makes itself', link: 'model=shell&mapTones=4&mapSize=64&technique=anchored' },
+  { name: 'a form that the page makes itself', link: 'model=shell&mapTones=4&mapSize=64&technique=hatching' },
 ] as const satisfies readonly { name: string; link: string; preset?: string; files?: readonly TestFile[] }[];
 
 /** Correlation of two pictures that show the same strokes; other strokes of the same form have 0.7 or less. */

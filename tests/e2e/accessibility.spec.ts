@@ -84,7 +84,7 @@ test('axe finds nothing on the playground, at four sizes, with settings and gall
 test('axe finds nothing on the sheet for a hand of one’s own, at two sizes, empty and with a hand', {
   tag: '@all',
 }, async ({ page }) => {
-  await openPlayground(page, 'model=cube&outlines=off&technique=anchored&mapSize=64&mapTones=4');
+  await openPlayground(page, 'model=cube&outlines=off&technique=hatching&mapSize=64&mapTones=4');
   await page.getByRole('button', { name: 'Draw with your own hand' }).click();
   await expect(page.getByRole('heading', { name: 'Your own hand' })).toBeVisible();
   expect.soft(await violations(page), 'empty').toEqual([]);

@@ -304,7 +304,7 @@ test('a failed request leaves no style, no axis and no picture behind', {
   await page.goto(`./#model=${modelAt('octahedron.ply')}&${LOOK}`);
   await expect(status).toHaveText(/^A part of this page could not be fetched/);
   await expect(page.locator('#model-name')).toHaveText('Stanford dragon');
-  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#model=dragon3&technique=anchored&/);
+  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#model=dragon3&technique=hatching&/);
   await drop(page, [file('octahedron.ply', octahedronPly)]);
   await expect(page.locator('#model-name')).toHaveText('octahedron.ply');
   await expect(status).toHaveText('');
@@ -327,7 +327,7 @@ test("a link draws the same picture as its sender's page: orbited, and framed be
     expect(changedShare(drawn, await readDrawing(page))).toBe(0);
     expect(await writtenHash(page)).toBe(written);
   };
-  const link = 'technique=engraved&model=knot&shadows=on&ground=shadow&lightAzimuth=-80&lightElevation=20';
+  const link = 'technique=engraving&model=knot&shadows=on&ground=shadow&lightAzimuth=-80&lightElevation=20';
   await openPlayground(page, link);
   await page.locator('#lamp').focus();
   // To the other side, where the shadow needs room.

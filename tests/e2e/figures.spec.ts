@@ -116,7 +116,7 @@ test('every figure has a caption, and every panel of it is drawn, in one graphic
   // The technique changes the panels that blend, and no others.
   await page.getByRole('radio', { name: 'as in the paper' }).focus();
   await page.keyboard.press('ArrowRight');
-  await expect(page.getByRole('radio', { name: 'anchored' })).toBeChecked();
+  await expect(page.getByRole('radio', { name: 'hatching' })).toBeChecked();
   for (const [selector, isChanged] of blending) expect((await changeOf(selector)) > 0.02, selector).toBe(isChanged);
 
   expect(await page.evaluate(() => window.__webglContexts?.length)).toBe(1);
@@ -167,7 +167,7 @@ test('fits a screen 360 pixels wide in dark mode, with a light slider large enou
   for (const target of [
     lamp,
     page.getByRole('link', { name: 'Playground' }),
-    page.getByText('anchored', { exact: true }),
+    page.getByText('hatching', { exact: true }),
   ]) {
     const box = (await target.boundingBox())!;
     expect(box.height).toBeGreaterThanOrEqual(44);

@@ -6,7 +6,7 @@ import { changedShare } from './pictures.js';
 test.use({ viewport: { width: 400, height: 300 } });
 
 test('in a frame of another page: the drawing and its lamp alone, and the wheel is the page’s', async ({ page }) => {
-  const link = 'technique=anchored&model=cube&mapSize=64&mapTones=4';
+  const link = 'technique=hatching&model=cube&mapSize=64&mapTones=4';
   await page.goto(`./?embed#${link}`);
   await ready(page);
   for (const part of ['#card', '.bar', '#model-caption']) await expect(page.locator(part)).toBeHidden();
@@ -34,7 +34,7 @@ test('in a frame of another page: the drawing and its lamp alone, and the wheel 
 
 test('in a kiosk no link leads away, and an abandoned drawing is reset', { tag: '@all' }, async ({ page }) => {
   await page.clock.install();
-  await page.goto('./?kiosk#technique=anchored&model=cube&mapSize=64&mapTones=4');
+  await page.goto('./?kiosk#technique=hatching&model=cube&mapSize=64&mapTones=4');
   await ready(page);
   for (const part of ['#card', '.bar', '#home']) await expect(page.locator(part)).toBeHidden();
   const first = await lampPlace(page);

@@ -4,7 +4,7 @@ import { encodePng } from '../../src/strokes/mapFiles/writeMapFiles.js';
 import { drop, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
 import { expect, test } from '../browser/test.js';
 
-const PLAIN = 'technique=anchored&model=sphere&mapSize=64&mapTones=4';
+const PLAIN = 'technique=hatching&model=sphere&mapSize=64&mapTones=4';
 
 interface PenPoint {
   x: number;

@@ -148,7 +148,7 @@ test('a look of one’s own appears beside the presets, also after a reload, and
     await page.getByLabel('Name', { exact: true }).press('Enter');
     await expect(page.getByLabel(`Name of ${name}`)).toBeVisible();
   };
-  await openPlayground(page, `${LINK}&ink=%237a2e1d&paper=%23f4ead6&technique=engraved&shadows=on`);
+  await openPlayground(page, `${LINK}&ink=%237a2e1d&paper=%23f4ead6&technique=engraving&shadows=on`);
   const red = await readDrawing(page);
   await keep('Red cut');
   await expect(page.locator('#named-said')).toHaveText('');

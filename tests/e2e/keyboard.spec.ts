@@ -47,7 +47,7 @@ for (const [width, height] of [
     test('everything is saved by the keyboard alone', { tag: '@all' }, async ({ page }) => {
       await openPlayground(
         page,
-        'model=cube&technique=engraved&occlusion=0&pictureDpi=150&videoSeconds=1&videoRate=12',
+        'model=cube&technique=engraving&occlusion=0&pictureDpi=150&videoSeconds=1&videoRate=12',
       );
       const faults: string[] = [];
       const button = (name: string): Locator =>

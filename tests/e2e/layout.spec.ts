@@ -139,7 +139,7 @@ test.describe('at 200 %', () => {
 });
 
 const LOW =
-  'model=dragon4&technique=engraved&outlines=off&occlusion=0&shadows=on&ground=shadow&lightElevation=12&lightAzimuth';
+  'model=dragon4&technique=engraving&outlines=off&occlusion=0&shadows=on&ground=shadow&lightElevation=12&lightAzimuth';
 for (const [name, hash] of [
   ['of the first picture', ''],
   ['under a low light from the left', `${LOW}=-90`],

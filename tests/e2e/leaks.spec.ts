@@ -52,7 +52,7 @@ async function oneRound(page: Page): Promise<void> {
   await expect(page.locator('#model-name')).toHaveText('octahedron.ply');
   await follow(page, 'model=cube&occlusion=50');
   await follow(page, 'model=cube&technique=adjacency&compare=triangle&mapSeed=2');
-  await follow(page, 'model=cube&technique=engraved&shadows=on&ground=floor');
+  await follow(page, 'model=cube&technique=engraving&shadows=on&ground=floor');
   await savePicture(page);
   await follow(page, 'model=cube');
 }

@@ -23,7 +23,7 @@ const LEFT_HALF: Region = { left: 0.3, top: 0.2, right: 0.5, bottom: 0.8 };
 const RIGHT_HALF: Region = { left: 0.5, top: 0.2, right: 0.7, bottom: 0.8 };
 /** The technique and the light of the paper by Suarez et al., for which the reference below holds. */
 const PAPER =
-  'exposure=fixed&technique=adjacency&strokeDirection=towards&lightStrength=100&reflectedLight=0&mapStyle=hatching&';
+  'exposure=fixed&technique=adjacency&strokeTurn=towards&lightStrength=100&reflectedLight=0&mapStyle=hatching&';
 /** Mean darkness of the darkest hatch image of the style. */
 const MAX_INK = 0.95;
 /** Tolerance of directions, degrees: the strokes of a map vary slightly. */
@@ -61,7 +61,7 @@ test('strokes and tone of a face follow the light when it is dragged', async ({ 
   expect(after.elevation).toBeGreaterThan(before.elevation + 15);
   await expectFaceAsReference(page, 'B');
 
-  await follow(page, `${(await writtenHash(page)).slice(1)}&strokeDirection=along`);
+  await follow(page, `${(await writtenHash(page)).slice(1)}&strokeTurn=along`);
   await expectFaceAsReference(page, 'T');
 });
 
@@ -295,7 +295,7 @@ test('a light that stays with the viewer is dragged where the pointer goes, and 
 
 test('a model moves aside for its shadow, and returns to the middle without one', { tag: '@all' }, async ({ page }) => {
   await page.setViewportSize({ width: 840, height: 480 });
-  const look = 'technique=engraved&outlines=off&model=knot&ground=shadow&lightAzimuth=-70&lightElevation=18';
+  const look = 'technique=engraving&outlines=off&model=knot&ground=shadow&lightAzimuth=-70&lightElevation=18';
   await openPlayground(page, look);
   const alone = await readDrawing(page);
   await openPlayground(page, `${look}&shadows=on`);

@@ -125,7 +125,7 @@ test.describe('with reduced motion', () => {
 
   test('techniques and the comparison follow the pose', { tag: '@all' }, async ({ page }) => {
     for (const technique of ['adjacency', 'triangle']) {
-      await openModel(page, column(), `technique=${technique}&compare=anchored&surfaceColors=paper`);
+      await openModel(page, column(), `technique=${technique}&compare=hatching&surfaceColors=paper`);
       const first = await readDrawing(page);
       await time(page).fill('0.5');
       const bent = await readDrawing(page);

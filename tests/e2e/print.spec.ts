@@ -9,7 +9,7 @@ import { changedShare, largestDifference } from './pictures.js';
 test.use({ viewport: { width: 640, height: 480 }, contextOptions: { reducedMotion: 'reduce' } });
 
 /** A scene with a ground and its shadow, strokes, lines and a coloured model. */
-const LOOK = 'technique=anchored&model=cube&mapSize=64&mapTones=4&color=%23e0b070&shadows=on&ground=shadow';
+const LOOK = 'technique=hatching&model=cube&mapSize=64&mapTones=4&color=%23e0b070&shadows=on&ground=shadow';
 
 async function saved(page: Page): Promise<Buffer> {
   const download = page.waitForEvent('download');
@@ -133,7 +133,7 @@ test('an A6 sheet has its size; cut to the drawing it is the same, but smaller; 
 test('the chosen sheet is framed over the drawing, which is composed for it; the saved file is the framed part', {
   tag: '@all',
 }, async ({ page }) => {
-  await openPlayground(page, 'technique=engraved&outlines=off&model=column&pictureSize=a6&pictureDpi=150');
+  await openPlayground(page, 'technique=engraving&outlines=off&model=column&pictureSize=a6&pictureDpi=150');
   const frame = page.locator('.sheet-frame');
   await expect(frame).toHaveCount(0);
   const before = await readDrawing(page);
@@ -239,7 +239,7 @@ test('tiles meet without a seam, and a large picture can be given up', { tag: '@
 
 test('the drawing leaves as lines: an SVG in millimetres, filled for print or for one pen', async ({ page }) => {
   await page.setViewportSize({ width: 400, height: 300 });
-  await openPlayground(page, 'model=vase&technique=engraved&shadows=off&ground=none');
+  await openPlayground(page, 'model=vase&technique=engraving&shadows=off&ground=none');
   const savedAs = async (): Promise<string> => {
     const file = page.waitForEvent('download');
     await page.getByRole('button', { name: 'Save SVG, as lines' }).click();

@@ -41,9 +41,9 @@ test('programs of another technique are ready before anything is drawn with them
   });
   const seen = () => page.evaluate(() => ({ ...(window as unknown as { __programs: object }).__programs }));
   const frames = await page.evaluate(() => window.__playground!.framesDrawn);
-  await follow(page, 'model=cube&technique=engraved&shadows=on&ground=floor');
+  await follow(page, 'model=cube&technique=engraving&shadows=on&ground=floor');
   expect(await seen()).toMatchObject({ early: 0 });
-  await follow(page, 'model=cube&technique=adjacency&compare=anchored&outlines=on&mapSize=64&mapTones=4');
+  await follow(page, 'model=cube&technique=adjacency&compare=hatching&outlines=on&mapSize=64&mapTones=4');
   const { linked, early } = (await seen()) as { linked: number; early: number };
   expect(linked).toBeGreaterThan(3);
   expect(early).toBe(0);

@@ -19,7 +19,7 @@ import { changedShare, meanInk } from './pictures.js';
 
 test.use({ viewport: { width: 860, height: 440 }, launchOptions: await launchOptions(undefined, { webgpu: 'shown' }) });
 
-const LINES = 'model=knot&technique=engraved&shadows=on&ground=floor';
+const LINES = 'model=knot&technique=engraving&shadows=on&ground=floor';
 
 declare global {
   interface Window {
@@ -202,16 +202,16 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
 });
 
 test('WebGL draws what WebGPU cannot, and a sentence beside the choice says so', { tag: '@all' }, async ({ page }) => {
-  await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu&background=on');
+  await openPlayground(page, 'model=cube&technique=engraving&renderer=webgpu&background=on');
   await openMore(page);
   await expect(note(page)).toHaveText('WebGL draws this, because WebGPU lacks a hatched background.');
   await expect(nodeScreen(page)).toBeHidden();
   const onWebGL = await readDrawing(page);
-  await enterLink(page, 'model=cube&technique=engraved&renderer=webgpu');
+  await enterLink(page, 'model=cube&technique=engraving&renderer=webgpu');
   await idle(page);
   await expect(nodeScreen(page)).toBeVisible();
   expect(changedShare(onWebGL, await readDrawing(page))).toBeGreaterThan(0.01);
-  await enterLink(page, 'model=cube&technique=engraved&renderer=webgpu&background=on');
+  await enterLink(page, 'model=cube&technique=engraving&renderer=webgpu&background=on');
   await idle(page);
   await expect(nodeScreen(page)).toBeHidden();
   expect(unlikeShare(onWebGL, await readDrawing(page))).toBeLessThan(0.001);
@@ -224,7 +224,7 @@ for (const [what, glb] of [
   test(`a model with ${what} is drawn by both, whichever of them has drawn it first`, { tag: '@all' }, async ({
     page,
   }) => {
-    await openPlayground(page, 'model=cube&technique=engraved&shadows=on');
+    await openPlayground(page, 'model=cube&technique=engraving&shadows=on');
     await drop(page, [file('model.glb', glb)]);
     await idle(page);
     const before = await readDrawing(page);
@@ -245,7 +245,7 @@ for (const [what, glb] of [
 }
 
 test('WebGL draws on when a frame of WebGPU fails', { tag: '@all' }, async ({ page, pageProblems }) => {
-  await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu');
+  await openPlayground(page, 'model=cube&technique=engraving&renderer=webgpu');
   await expect(nodeScreen(page)).toBeVisible();
   const before = await readDrawing(page);
   await page.evaluate(() => {
@@ -263,7 +263,7 @@ test('WebGL draws on when a frame of WebGPU fails', { tag: '@all' }, async ({ pa
 });
 
 test('WebGL draws on when WebGPU is lost, and can be left again for it', { tag: '@all' }, async ({ page }) => {
-  await openPlayground(page, 'model=cube&technique=engraved&renderer=webgpu');
+  await openPlayground(page, 'model=cube&technique=engraving&renderer=webgpu');
   await expect(nodeScreen(page)).toBeVisible();
   const before = await readDrawing(page);
   await page.evaluate(() => window.__held!.lose());
@@ -284,10 +284,10 @@ test('without an adapter there is no choice, and a link that asks for WebGPU is 
   await page.addInitScript(() => {
     GPU.prototype.requestAdapter = async () => null;
   });
-  await openPlayground(page, 'model=cube&technique=engraved');
+  await openPlayground(page, 'model=cube&technique=engraving');
   await openMore(page);
   await expect(renderers(page)).toBeHidden();
-  await enterLink(page, 'model=cube&technique=engraved&renderer=webgpu');
+  await enterLink(page, 'model=cube&technique=engraving&renderer=webgpu');
   await expect(page.locator('#status')).toHaveText('This browser has no WebGPU for the page; WebGL draws on.');
   await idle(page);
   await expect(renderers(page)).toBeHidden();

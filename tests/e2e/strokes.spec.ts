@@ -31,7 +31,7 @@ test('anchored strokes are black and white', { tag: '@all' }, async ({ page }) =
 });
 
 for (const [left, right] of [
-  ['triangle', 'anchored'],
+  ['triangle', 'hatching'],
   ['adjacencyCrisp', 'adjacency'],
 ] as const) {
   test(`two techniques are drawn side by side, split at the divider: ${left} and ${right}`, { tag: '@all' }, async ({
@@ -66,25 +66,25 @@ function differingColumns(a: PNG, b: PNG): number[] {
 test('lines follow the form as soon as that is baked, also where a link asks for it', { tag: '@all' }, async ({
   page,
 }) => {
-  const view = 'model=torus&technique=engraved&outlines=off&lightAzimuth=30';
+  const view = 'model=torus&technique=engraving&outlines=off&lightAzimuth=30';
   await openPlayground(page, view);
   const lit = await readDrawing(page);
-  await follow(page, `${view}&lineField=form`);
+  await follow(page, `${view}&direction=form`);
   await idle(page);
   const formed = await readDrawing(page);
   expect(changedShare(formed, lit)).toBeGreaterThan(0.1);
-  for (const lineField of ['form', 'auto']) {
-    await openPlayground(page, `${view}&lineField=${lineField}`);
+  for (const direction of ['form', 'auto']) {
+    await openPlayground(page, `${view}&direction=${direction}`);
     await idle(page);
-    expect(changedShare(formed, await readDrawing(page)), lineField).toBeLessThan(0.01);
+    expect(changedShare(formed, await readDrawing(page)), direction).toBeLessThan(0.01);
   }
 });
 
 test('strokes follow the form once it is baked, and the light again when it is chosen', { tag: '@all' }, async ({
   page,
 }) => {
-  const view = 'model=shell&technique=anchored&mapSize=64&mapTones=4&outlines=off&lightAzimuth=30';
-  const following = `${view}&strokeField=form`;
+  const view = 'model=shell&technique=hatching&mapSize=64&mapTones=4&outlines=off&lightAzimuth=30';
+  const following = `${view}&direction=form`;
   await openPlayground(page, following);
   await idle(page);
   const formed = await readDrawing(page);
@@ -96,10 +96,10 @@ test('strokes follow the form once it is baked, and the light again when it is c
 });
 
 test('a picture that is saved while the form is baked waits for it', { tag: '@all' }, async ({ page }) => {
-  const view = 'model=torus&technique=engraved&outlines=off&lightAzimuth=30';
+  const view = 'model=torus&technique=engraving&outlines=off&lightAzimuth=30';
   await openPlayground(page, view);
   const lit = await savePicture(page);
-  await enterLink(page, `${view}&lineField=form`);
+  await enterLink(page, `${view}&direction=form`);
   // The page fetches what follows links with the first one.
   await expect(page.getByLabel('Lines follow')).toHaveValue('The form');
   const atOnce = await savePicture(page);
@@ -129,7 +129,7 @@ test('a preset sets the whole style at once, and can be undone', { tag: '@more' 
     for (const other of seen) expect(changedShare(other, picture), name).toBeGreaterThan(0.05);
     seen.push(picture);
   }
-  expect(await writtenHash(page)).toContain('medium=dry');
+  expect(await writtenHash(page)).toContain('technique=dryMedia');
   await page.getByRole('button', { name: 'More' }).click();
   const width = page.getByLabel('Stroke width');
   await width.fill('5');
@@ -197,7 +197,7 @@ test('a model stands on its shadow or on a floor; a picture without paper keeps 
 }, async ({ page }) => {
   // The whole shadow lies on the sheet: it dissolves sooner where it would leave it.
   const view =
-    'model=sphere&camera=1.4,1.1,6.2,0,0,0&lightAzimuth=-60&lightElevation=50&outlines=off&technique=engraved&screenSpaceShare=100';
+    'model=sphere&camera=1.4,1.1,6.2,0,0,0&lightAzimuth=-60&lightElevation=50&outlines=off&technique=engraving&screenSpaceShare=100';
   const below: Region = { left: 0, top: 0.6, right: 1, bottom: 0.9 };
   const ink: Record<string, number> = {};
   for (const look of ['none', 'shadow', 'floor']) {

@@ -16,8 +16,8 @@ test.use({ viewport: { width: 900, height: 640 }, contextOptions: { reducedMotio
 /** The sheet of most tests, and its pixels in print. */
 const SHEET = 'pictureSize=own&pictureWidth=120&pictureHeight=80&pictureDpi=150';
 const [WIDE, HIGH] = [709, 472];
-const LINES = `technique=engraved&model=cube&outlineLost=0&${SHEET}`;
-const STROKES = `technique=anchored&model=cube&mapSize=64&mapTones=4&shadows=on&ground=shadow&${SHEET}&pictureMargin=0`;
+const LINES = `technique=engraving&model=cube&outlineLost=0&${SHEET}`;
+const STROKES = `technique=hatching&model=cube&mapSize=64&mapTones=4&shadows=on&ground=shadow&${SHEET}&pictureMargin=0`;
 
 /** Opens the settings of pictures, unless they are open. */
 async function openPicture(page: Page): Promise<void> {
@@ -178,11 +178,11 @@ test('strokes of a map leave as a picture below the outlines, which are not in i
 });
 
 test('a comparison leaves as the technique of the page alone', { tag: '@all' }, async ({ page }) => {
-  const look = `technique=engraved&model=cube&shadows=off&ground=none&pictureMargin=0&${SHEET}`;
+  const look = `technique=engraving&model=cube&shadows=off&ground=none&pictureMargin=0&${SHEET}`;
   await openPlayground(page, look);
   await openPicture(page);
   const alone = await savedSvg(page);
-  await openPlayground(page, `${look}&compare=anchored&mapSize=64&mapTones=4`);
+  await openPlayground(page, `${look}&compare=hatching&mapSize=64&mapTones=4`);
   await openPicture(page);
   const compared = await savedSvg(page);
   await expect(page.locator('#status')).toHaveText(/It shows one technique, without the comparison\.$/);
@@ -192,9 +192,9 @@ test('a comparison leaves as the technique of the page alone', { tag: '@all' }, 
 /** Looks, views and lights: one with shadows and dark hollows, and one of composition, other lights and hidden lines. */
 const LINKS = {
   shaded:
-    'technique=engraved&lineField=auto&shadows=on&ground=shadow&shadowStrokes=cross&occlusion=100&hollowStrength=100&camera=2.2725582,1.480766,4.4858494,0.0124,-0.053,0.01137',
+    'technique=engraving&direction=auto&shadows=on&ground=shadow&shadowStrokes=cross&occlusion=100&hollowStrength=100&camera=2.2725582,1.480766,4.4858494,0.0124,-0.053,0.01137',
   composed:
-    'preset=pen&technique=engraved&background=on&depth=on&focus=on&vignette=40&lightKind=point&lightAzimuth=-60&lightElevation=20&lightFollows=viewer&secondLight=opposite&upAxis=z&outlineHidden=dashed&camera=3,2,3,0,0,0',
+    'preset=pen&technique=engraving&background=on&depth=on&focus=on&vignette=40&lightKind=point&lightAzimuth=-60&lightElevation=20&lightFollows=viewer&secondLight=opposite&upAxis=z&outlineHidden=dashed&camera=3,2,3,0,0,0',
 };
 
 test.describe('page and command', () => {

@@ -10,7 +10,7 @@ import { changedShare } from './pictures.js';
 test.use({ viewport: { width: 560, height: 420 }, contextOptions: { reducedMotion: 'reduce' } });
 
 const LOOK =
-  'technique=anchored&model=cube&mapSize=64&mapTones=4&outlines=off&videoSize=page&videoSeconds=1&videoRate=12';
+  'technique=hatching&model=cube&mapSize=64&mapTones=4&outlines=off&videoSize=page&videoSeconds=1&videoRate=12';
 
 /** Records by the keyboard alone, and returns the file with its name. */
 async function record(page: Page): Promise<{ name: string; content: Buffer }> {

@@ -33,7 +33,7 @@ export const checks = {
 
   'every technique draws': async ({ page }) => {
     const pictures = [];
-    for (const technique of ['anchored', 'engraved', 'adjacency', 'triangle']) {
+    for (const technique of ['hatching', 'engraving', 'adjacency', 'triangle']) {
       await page.evaluate((link) => {
         location.hash = link;
       }, `${SMALL}&model=sphere&technique=${technique}`);

@@ -33,7 +33,7 @@ test('groups keep their colours, nested meshes their places', async ({ page }) =
 for (const technique of kindsOfTechnique) {
   test(
     `instances and separate meshes give the same pixels: ${technique}`,
-    quickIf(technique !== 'anchored'),
+    quickIf(technique !== 'hatching'),
     async ({ page }) => {
       const [separate, instanced] = await page.evaluate(async (technique) => {
         const { THREE, applyHatching, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
@@ -133,7 +133,7 @@ test('a batch is hatched as it is by anchored', { tag: '@all' }, async ({ page }
     }
     const pictures: number[][] = [];
     for (const root of [batch, group]) {
-      await applyHatching(root, { tonalArtMap: greyMap(), tilesPerWorldUnit: 2, material: { technique: 'anchored' } });
+      await applyHatching(root, { tonalArtMap: greyMap(), tilesPerWorldUnit: 2, material: { technique: 'hatching' } });
       pictures.push(pixelsOf(sceneOf(root, sun())));
     }
     return pictures;
@@ -145,7 +145,7 @@ test('a batch is hatched as it is by anchored', { tag: '@all' }, async ({ page }
 for (const technique of kindsOfTechnique) {
   test(
     `restore brings the picture back, dispose leaves nothing on the graphics card: ${technique}`,
-    quickIf(technique === 'engraved'),
+    quickIf(technique === 'engraving'),
     async ({ page }) => {
       const { before, hatched, restored, memory } = await page.evaluate(async (technique) => {
         const { THREE, TonalArtMap, applyHatching, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
@@ -164,7 +164,7 @@ for (const technique of kindsOfTechnique) {
         const before = pixelsOf(scene, renderer);
         const memory = [use()];
         // Lines sized on the object would fade into their tone in such a small picture.
-        const sized = technique === 'anchored' ? { screenSpaceShare: 0 } : {};
+        const sized = technique === 'hatching' ? { screenSpaceShare: 0 } : {};
         const handle = await applyHatching(root, { material: { technique, ...sized } });
         const hatched = pixelsOf(scene, renderer);
         memory.push(use());
@@ -214,7 +214,7 @@ test.describe('loaded glTF', () => {
           const scene = sceneOf(holder, sun(Math.PI, [2, 1, 1]));
           const before = pixelsOf(scene, renderer);
           const { materials, skipped } = await applyHatching(holder, {
-            material: { ink: 'magenta', technique: 'anchored' },
+            material: { ink: 'magenta', technique: 'hatching' },
           });
           let meshes = 0;
           holder.traverse((object) => {
@@ -321,7 +321,7 @@ test('with a renderer, geometries with morph targets are uploaded ahead, too', a
     const mesh = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial());
     sceneOf(mesh, sun());
     const options = { renderer: makeRenderer(), camera: makeCamera(), tonalArtMap: greyMap() };
-    const hatched = await applyHatching(mesh, { ...options, material: { technique: 'anchored' } });
+    const hatched = await applyHatching(mesh, { ...options, material: { technique: 'hatching' } });
     return hatched.materials.length;
   });
   expect(outcome).toBe(1);
@@ -351,7 +351,7 @@ test('with a renderer and a camera nothing is left to compile or upload for the 
       renderer,
       camera,
       tonalArtMap: greyMap(),
-      material: { technique: 'anchored' },
+      material: { technique: 'hatching' },
       outlines: true,
       onProgress: (value) => {
         progress.push(value);

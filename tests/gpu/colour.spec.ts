@@ -145,7 +145,7 @@ for (const technique of techniques) {
         alphaTest: 0.5,
         paperOpacity: 0,
         ink: 'blue',
-        ...(technique === 'engraved' ? { lineSpacing: 12, screenSpaceShare: 1 } : { edgePixels: 0 }),
+        ...(technique === 'engraving' ? { lineSpacing: 12, screenSpaceShare: 1 } : { edgePixels: 0 }),
       });
       strokes.renderOrder = 0;
       const behind = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), new THREE.MeshBasicMaterial({ color: 'red' }));

@@ -1,4 +1,5 @@
 import { mat4, vec3 } from 'gl-matrix';
+import { axisAngle } from '../../src/look/vectors.js';
 import { quickOnly } from '../browser/quickIf.js';
 import { expect, type TestOnOnePage } from '../browser/test.js';
 import { type AnchoredSettings, anchoredExcess, formAxisOf, slantAxisOf } from '../reference/anchoredReference.js';
@@ -28,7 +29,7 @@ import {
 
 interface AnchoredCase extends ReferenceCase {
   latticeSpacing?: number;
-  strokeField?: 'form' | 'acrossForm' | 'sheet';
+  direction?: 'form' | 'acrossForm' | 'sheet';
 }
 
 /** Functions whose gradients turn over the torus by what strokes can follow. */
@@ -153,8 +154,8 @@ const cases: AnchoredCase[] = [
       { name: 'turned in shadow', lights: [blocked, ambient], material: { shadowStrokes: 'reorient' } },
       { name: 'in the shadow of one light', lights: [redSide, blocked], material: { shadowStrokes: 'reorient' } },
     ] as const satisfies ReferenceCase[]
-  ).map(({ name, ...rest }) => ({ ...rest, name: `along the form, ${name}`, strokeField: 'form' as const })),
-  { name: 'across the form', strokeField: 'acrossForm' },
+  ).map(({ name, ...rest }) => ({ ...rest, name: `along the form, ${name}`, direction: 'form' as const })),
+  { name: 'across the form', direction: 'acrossForm' },
   ...(
     [
       { name: 'of a moved and scaled object', matrixWorld: placed },
@@ -162,7 +163,7 @@ const cases: AnchoredCase[] = [
       { name: 'seen by an orthographic camera', matrixWorld: rotated, isOrthographic: true },
       { name: 'under two lights', lights: [directional, redSide], screenSpaceShare: 1 },
     ] as const satisfies ReferenceCase[]
-  ).map(({ name, ...rest }) => ({ ...rest, name: `along the sheet, ${name}`, strokeField: 'sheet' as const })),
+  ).map(({ name, ...rest }) => ({ ...rest, name: `along the sheet, ${name}`, direction: 'sheet' as const })),
   { name: 'out of all shadows, cross', lights: [directional, redSide], material: { shadowStrokes: 'cross' } },
 ];
 
@@ -174,18 +175,13 @@ function gradientAt({ positions, material }: HatchingSpec): (point: Vec3) => Vec
 }
 
 /** The page's input for a case. */
-const specFor = ({
-  latticeSpacing = 0.35,
-  screenSpaceShare = 0,
-  strokeField,
-  ...rest
-}: AnchoredCase): HatchingSpec => ({
-  ...specOf({ ...rest, screenSpaceShare }, 'anchored'),
+const specFor = ({ latticeSpacing = 0.35, screenSpaceShare = 0, direction, ...rest }: AnchoredCase): HatchingSpec => ({
+  ...specOf({ ...rest, screenSpaceShare }, 'hatching'),
   latticeSpacing,
-  ...(strokeField && { strokes: { strokeField, ...(strokeField !== 'sheet' && { form }) } }),
+  ...(direction && { strokes: { direction, ...(direction !== 'sheet' && { form }) } }),
 });
 
-/** The page's input for all cases of `anchored`, by name. */
+/** The page's input for all cases of `hatching`, by name. */
 export const anchoredSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
 
 /** Names of cases that together have each light, layer, field, placement and look. */
@@ -210,32 +206,33 @@ const detailsOf = quickOnly(
 );
 
 /**
- * Declares a test for each case of `anchored`: the page draws what the reference in double precision says.
+ * Declares a test for each case of `hatching`: the page draws what the reference in double precision says.
  *
  * @param test whose page has `renderHatching`
  */
 export function compareAnchored(test: TestOnOnePage): void {
   for (const one of cases) {
-    test(`anchored equals the double-precision reference: ${one.name}`, detailsOf(one.name), async ({ page }) => {
+    test(`hatching equals the double-precision reference: ${one.name}`, detailsOf(one.name), async ({ page }) => {
       const spec = specFor(one);
-      const { strokeField } = one;
+      const { direction } = one;
       const { positions, indices } = spec;
       const normals = spec.normals!;
       const pixels = Buffer.from(await page.evaluate((s) => window.renderHatching(s), spec), 'base64');
 
       const fragments = rasterizeReference(trianglesOf(spec), spec.matrixWorld, spec.camera, SIZE, SIZE, false);
       const reference = referenceOf(spec);
-      const hasForm = strokeField === 'form' || strokeField === 'acrossForm';
+      const hasForm = direction === 'form' || direction === 'acrossForm';
       const settings: AnchoredSettings = {
         tilesPerObjectUnit: spec.material.tilesPerObjectUnit,
-        strokeAngle: spec.material.strokeAngle,
+        // The reference turns strokes the other way.
+        strokeAngle: -axisAngle(spec.material.strokeAngle),
         latticeSpacing: spec.latticeSpacing!,
         halfTiles: hasForm || spec.lights.filter(({ type }) => type !== 'ambient').length > 1,
         screenSpaceShare: spec.screenSpaceShare!,
         shadowStrokes: spec.material.shadowStrokes,
-        ...(hasForm && { axisAt: formAxisOf(gradientAt(spec), strokeField === 'acrossForm') }),
-        ...(strokeField === 'sheet' && {
-          axisAt: slantAxisOf(spec.camera, spec.matrixWorld, spec.material.strokeAngle),
+        ...(hasForm && { axisAt: formAxisOf(gradientAt(spec), direction === 'acrossForm') }),
+        ...(direction === 'sheet' && {
+          axisAt: slantAxisOf(spec.camera, spec.matrixWorld, axisAngle(spec.material.strokeAngle)),
         }),
         threshold: analyticThreshold.field,
         mapSize: analyticThreshold.size,

@@ -49,10 +49,10 @@ const form: NonNullable<LineSettings['form']> = [
 const formCases: readonly EngravedCase[] = [
   { name: 'along the form' },
   { name: 'along the form, a ruling machine', lines: { irregularity: 0 } },
-  { name: 'across the form', lines: { lineField: 'acrossForm' } },
+  { name: 'across the form', lines: { direction: 'acrossForm' } },
   { name: 'along the form, crossing from light tones on', lines: { crossFrom: 0.2 } },
   { name: 'along the form, somewhat wider apart than the lines that were baked', lines: { lineSpacing: 40 } },
-  { name: 'across the form, wider apart than lines may lie', lines: { lineField: 'acrossForm', lineSpacing: 150 } },
+  { name: 'across the form, wider apart than lines may lie', lines: { direction: 'acrossForm', lineSpacing: 150 } },
   { name: 'along the form, wider apart than lines may lie', lines: { lineSpacing: 150 } },
   { name: 'along the form, finer than lines may lie', lines: { lineSpacing: 2.6 } },
   { name: 'along the form, sized on the object', screenSpaceShare: 0, lines: { lineSpacing: 12 } },
@@ -61,8 +61,8 @@ const formCases: readonly EngravedCase[] = [
   { name: 'along the form of an object scaled unequally', matrixWorld: squashed },
   { name: 'along the form of a geometry off its origin', mesh: moved(torus, 3), matrixWorld: movedBack(3) },
   { name: 'along the form, orthographic camera', isOrthographic: true },
-  { name: 'along the form, with a pen', lines: { medium: 'pen', lineSpacing: 9 } },
-  { name: 'along the form, carved', lines: { medium: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
+  { name: 'along the form, with a pen', lines: { technique: 'pen', lineSpacing: 9 } },
+  { name: 'along the form, carved', lines: { technique: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
   ...(['tone', 'cross', 'reorient'] as const).map((shadowStrokes) => ({
     name: `along the form, in shadow, ${shadowStrokes}`,
     lights: [blocked, ambient],
@@ -71,40 +71,40 @@ const formCases: readonly EngravedCase[] = [
 ];
 
 const cases: EngravedCase[] = [
-  ...formCases.map((one) => ({ ...one, lines: { lineField: 'form' as const, form, ...one.lines } })),
+  ...formCases.map((one) => ({ ...one, lines: { direction: 'form' as const, form, ...one.lines } })),
   { name: 'tangent to the light' },
   { name: 'tangent to the light, a ruling machine', lines: { irregularity: 0 } },
-  { name: 'towards the light', lines: { lineField: 'towards' } },
-  { name: 'towards the light, a ruling machine', lines: { lineField: 'towards', irregularity: 0 } },
+  { name: 'towards the light', lines: { direction: 'towardsLight' } },
+  { name: 'towards the light, a ruling machine', lines: { direction: 'towardsLight', irregularity: 0 } },
   { name: 'tangent to a light from above', lights: [fromAbove] },
-  ...(['x', 'y', 'z'] as const).map((lineField) => ({
-    name: `across the axis ${lineField}`,
-    lines: { lineField, irregularity: lineField === 'x' ? 0 : 0.4 },
+  ...(['x', 'y', 'z'] as const).map((direction) => ({
+    name: `across the axis ${direction}`,
+    lines: { direction, irregularity: direction === 'x' ? 0 : 0.4 },
   })),
   { name: 'a very unsteady hand', lines: { irregularity: 1 } },
-  { name: 'with a pen', lines: { medium: 'pen', lineSpacing: 9 } },
+  { name: 'with a pen', lines: { technique: 'pen', lineSpacing: 9 } },
   {
     name: 'with a pen, aslant, crossing from light tones on',
     matrixWorld: placed,
-    lines: { medium: 'pen', lineField: 'slant', crossFrom: 0.2, lineSpacing: 7 },
+    lines: { technique: 'pen', direction: 'slant', crossFrom: 0.2, lineSpacing: 7 },
   },
-  { name: 'across a slant', lines: { lineField: 'slant' } },
-  { name: 'carved', lines: { medium: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
+  { name: 'across a slant', lines: { direction: 'slant' } },
+  { name: 'carved', lines: { technique: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
   {
     name: 'carved towards a near lamp',
     lights: [lamp],
-    lines: { medium: 'woodcut', lineField: 'towards', crossFrom: 1 },
+    lines: { technique: 'woodcut', direction: 'towardsLight', crossFrom: 1 },
   },
   {
     name: 'carved across the axis y, sized on the object',
     screenSpaceShare: 0,
-    lines: { medium: 'woodcut', lineField: 'y' },
+    lines: { technique: 'woodcut', direction: 'y' },
   },
   {
     name: 'carved, placed and crossed by shadow',
     lights: [blocked, ambient],
     matrixWorld: placed,
-    lines: { medium: 'woodcut' },
+    lines: { technique: 'woodcut' },
     material: { shadowStrokes: 'cross' },
   },
   { name: 'no crossing', lines: { crossFrom: 1 } },
@@ -130,11 +130,11 @@ const cases: EngravedCase[] = [
   {
     name: 'turned from the direction to the light',
     material: { strokeAngle: 0.4 },
-    lines: { lineField: 'towards' },
+    lines: { direction: 'towardsLight' },
   },
   { name: 'turned from a near lamp', lights: [lamp], material: { strokeAngle: -0.6 } },
   { name: 'turned beyond a near lamp', lights: [lamp], material: { strokeAngle: 2.2 } },
-  { name: 'towards a near lamp', lights: [lamp], lines: { lineField: 'towards' } },
+  { name: 'towards a near lamp', lights: [lamp], lines: { direction: 'towardsLight' } },
   { name: 'a lamp, a spot and a light without an end', lights: [lamp, redSide, spot] },
   { name: 'exposed, perceptual tone', lights: [redSide, spot], material: { exposure: 2.2, toneCurve: 'perceptual' } },
   { name: 'perceptual tone, reflected light', material: { toneCurve: 'perceptual', reflectedLight: 0.4 } },
@@ -192,9 +192,9 @@ const cases: EngravedCase[] = [
 
 /** The page's input for a case. */
 const specFor = ({ lines, ...rest }: EngravedCase): HatchingSpec => ({
-  ...specOf(rest, 'engraved'),
+  ...specOf(rest, 'engraving'),
   lines: {
-    lineField: 'light',
+    direction: 'light',
     lineSpacing: 7,
     strokeLength: 72,
     crossFrom: 0.52,
@@ -204,7 +204,7 @@ const specFor = ({ lines, ...rest }: EngravedCase): HatchingSpec => ({
   },
 });
 
-/** The page's input for all cases of `engraved`, by name. */
+/** The page's input for all cases of `engraving`, by name. */
 export const engravedSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
 
 /** Names of cases that together have each light, layer, field, placement and look. */
@@ -233,13 +233,13 @@ const detailsOf = quickOnly(
 );
 
 /**
- * Declares a test for each case of `engraved`: the page draws what the functions of vector files say.
+ * Declares a test for each case of `engraving`: the page draws what the functions of vector files say.
  *
  * @param test whose page has `renderHatching`
  */
 export function compareEngraved(test: TestOnOnePage): void {
   for (const one of cases) {
-    test(`engraved equals the lines of vector files: ${one.name}`, detailsOf(one.name), async ({ page }) => {
+    test(`engraving equals the lines of vector files: ${one.name}`, detailsOf(one.name), async ({ page }) => {
       const spec = specFor(one);
       const reference = referenceOf(spec);
       const scene = {

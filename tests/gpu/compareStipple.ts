@@ -44,7 +44,7 @@ const cases: StippleCase[] = [
 
 /** The page's input for a case. */
 const specFor = ({ dots, ...rest }: StippleCase): HatchingSpec => ({
-  ...specOf(rest, 'anchored'),
+  ...specOf(rest, 'hatching'),
   dots: { strokeWidth: 3.2, edgePixels: 1, ...dots },
 });
 

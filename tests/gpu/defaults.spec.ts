@@ -72,9 +72,8 @@ test('a preset by its name draws the same as its parameters, and one map of a st
       return pixelsOf(scene(material), renderer);
     };
     const hand = {
-      technique: 'engraved',
-      medium: 'pen',
-      lineField: 'auto',
+      technique: 'pen',
+      direction: 'auto',
       strokeLength: 72,
       lineSpacing: 4.4,
     } as const;
@@ -88,7 +87,7 @@ test('a preset by its name draws the same as its parameters, and one map of a st
       }),
     );
     const engraved = await draw(new UsersMaterial({ preset: 'engraving', ink: 'black', paper: 'white' }));
-    const bare = await draw(new UsersMaterial({ technique: 'engraved', lineField: 'auto', ...values }));
+    const bare = await draw(new UsersMaterial({ technique: 'engraving', direction: 'auto', ...values }));
     const same = (a: number[], b: number[]): boolean => a.every((value, i) => value === b[i]);
     return { pen: same(pen, black), engraved: same(engraved, bare), more: renderer.info.memory.textures - textures };
   });

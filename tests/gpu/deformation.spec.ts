@@ -135,7 +135,7 @@ for (const name of ['CesiumMan', 'Fox'] as const) {
   for (const technique of techniques) {
     test(
       `strokes stay on a model that walks: ${name}, ${technique}`,
-      quickIf(name === 'Fox' && technique === 'anchored'),
+      quickIf(name === 'Fox' && technique === 'hatching'),
       async ({ page }) => {
         const { content, clip } = models[name];
         const text = content();
@@ -164,7 +164,7 @@ for (const name of ['CesiumMan', 'Fox'] as const) {
 for (const technique of techniques) {
   test(
     `strokes stay on a tube that bends: ${technique}`,
-    quickIf(technique === 'engraved' || technique === 'triangle'),
+    quickIf(technique === 'engraving' || technique === 'triangle'),
     async ({ page }) => {
       const [rest, deformed] = await page.evaluate(async (technique) => {
         const { THREE, HatchingMaterial, prepareHatchingGeometry, greyMap } = window.toolkit;
@@ -205,7 +205,7 @@ for (const technique of techniques) {
           tilesPerObjectUnit: 2,
           side: THREE.DoubleSide,
           // The axis of a light belongs to the mesh, which an object turns and bones do not.
-          ...(technique === 'engraved' && { lineField: 'y', lineSpacing: 12 }),
+          ...(technique === 'engraving' && { direction: 'y', lineSpacing: 12 }),
         });
         const light = sun();
         const object = new THREE.Mesh(geometry, material);

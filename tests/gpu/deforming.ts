@@ -3,6 +3,7 @@ import './toolkit.js';
 import * as THREE from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { HatchingMaterial, HatchingMaterialParameters } from 'three-hatching';
+import { drawsLines } from '../../src/look/queries.js';
 import { pulledVerticesOf } from '../../src/material/geometry/pulledVerticesOf.js';
 import { plainLook } from '../../tools/plainLook.js';
 import { reactive } from '../unit/material/geometry/reactive.js';
@@ -190,16 +191,22 @@ function deviation(renderer: THREE.WebGLRenderer, mesh: THREE.Mesh<THREE.BufferG
 
 /** Makes a material write the stroke coordinates of two triangles of the adjacency primitive instead of a colour. */
 function writeCoordinates(material: HatchingMaterial, first: 0 | 2): void {
-  const ofAnchored =
+  const ofStrokes =
     'tilesPerObjectUnit * vec2(dot(vRestPosition, parameters.uAxis), dot(vRestPosition, parameters.vAxis))';
+  const { technique } = material;
+  const folder = drawsLines(technique)
+    ? 'lines'
+    : technique === 'triangle' || technique === 'adjacency'
+      ? technique
+      : 'strokes';
   material.fragmentShader = material.fragmentShader.replace(
     '#include <opaque_fragment>',
     {
       triangle: 'gl_FragColor = vec4(parameters.uv, parameters.uv);',
       adjacency: `gl_FragColor = vec4(parameters.uv[${first}], parameters.uv[${first + 1}]);`,
-      anchored: `gl_FragColor = vec4(${ofAnchored}, ${ofAnchored});`,
-      engraved: 'gl_FragColor = vec4(parameters.point, 1.0);',
-    }[material.technique],
+      strokes: `gl_FragColor = vec4(${ofStrokes}, ${ofStrokes});`,
+      lines: 'gl_FragColor = vec4(parameters.point, 1.0);',
+    }[folder],
   );
   // Each corner is drawn as a point on its own pixel, whatever the camera.
   material.vertexShader = material.vertexShader.replace(

@@ -97,7 +97,7 @@ test('lines along the form lie in levels where they lie in the whole mesh', { ta
       const mesh = new THREE.Mesh(lump(), new THREE.MeshStandardMaterial());
       const hatched = await applyHatching(mesh, {
         detail,
-        material: { technique: 'engraved', lineField: 'form', lineSpacing: 4 },
+        material: { technique: 'engraving', direction: 'form', lineSpacing: 4 },
       });
       const formed = await hatched.formReady;
       return { hatched, formed: formed.length, scene: sceneOf(sun(), mesh) };

@@ -9,7 +9,7 @@ import { test } from './toolkitPage.js';
 for (const technique of kindsOfTechnique) {
   test(
     `an InstancedMesh gives the pixels of separate meshes, whatever the instance matrix: ${technique}`,
-    quickIf(technique === 'anchored'),
+    quickIf(technique === 'hatching'),
     async ({ page }) => {
       const [separate, instanced] = await page.evaluate(async (technique) => {
         const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
@@ -45,7 +45,7 @@ for (const technique of kindsOfTechnique) {
 for (const technique of kindsOfTechnique) {
   test(
     `a CubeCamera, whose pictures are turned, sees the strokes and outlines that others see: ${technique}`,
-    quickIf(technique === 'engraved'),
+    quickIf(technique === 'engraving'),
     async ({ page }) => {
       const [plain, turned] = await page.evaluate(async (technique) => {
         const { THREE, applyHatching, sceneOf, sun, makeRenderer } = window.toolkit;

@@ -1,6 +1,6 @@
 import { expect, testOnOnePage as onOnePage } from '../browser/test.js';
 
-/** The technique `engraved`: the tone of its lines, their spacing, and what they are fixed to. */
+/** The technique `engraving`: the tone of its lines, their spacing, and what they are fixed to. */
 
 const test = onOnePage('tests/gpu/outlines.html');
 
@@ -15,20 +15,20 @@ test('the mean darkness is the tone, at every distance between octaves, with and
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2).rotateZ(0.3), { layout: 'indexed' });
-    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', screenSpaceShare: 1 });
+    const material = new HatchingMaterial({ technique: 'engraving', direction: 'y', screenSpaceShare: 1 });
     const mesh = new THREE.Mesh(geometry, material);
     const light = new THREE.AmbientLight(0xffffff, 0);
     const scene = paperScene(mesh, light);
     const camera = new THREE.OrthographicCamera(-0.6, 0.6, 0.6, -0.6, 0.1, 10);
     camera.position.z = 2;
-    const errors: { error: number; medium: 'ink' | 'pen'; tone: number }[] = [];
-    for (const [irregularity, crossFrom, medium] of [
-      [0, 0.52, 'ink'],
-      [0, 1, 'ink'],
-      [0.4, 0.52, 'ink'],
+    const errors: { error: number; technique: 'engraving' | 'pen'; tone: number }[] = [];
+    for (const [irregularity, crossFrom, technique] of [
+      [0, 0.52, 'engraving'],
+      [0, 1, 'engraving'],
+      [0.4, 0.52, 'engraving'],
       [0.4, 0.52, 'pen'],
     ] as const) {
-      Object.assign(material, { irregularity, crossFrom, medium, strokeLength: 30 });
+      Object.assign(material, { irregularity, crossFrom, technique, strokeLength: 30 });
       for (const tone of [0.1, 0.3, 0.5, 0.7, 0.85, 0.95]) {
         // A white surface shows a radiance of the intensity over π.
         light.intensity = Math.PI * (1 - tone);
@@ -37,7 +37,7 @@ test('the mean darkness is the tone, at every distance between octaves, with and
           camera.updateProjectionMatrix();
           const ink = draw(scene, camera, rendererOf(300));
           const mean = ink.reduce((sum, one) => sum + one, 0) / ink.length;
-          errors.push({ error: Math.abs(mean - tone), medium, tone });
+          errors.push({ error: Math.abs(mean - tone), technique, tone });
         }
       }
     }
@@ -45,8 +45,8 @@ test('the mean darkness is the tone, at every distance between octaves, with and
   });
   expect(errors).toHaveLength(192);
   // A pen crosses lines in its darkest tones in three directions of one regular lattice, whose gaps meet less often than by chance.
-  for (const { error, medium, tone } of errors) {
-    expect(error, `${medium} at ${tone}`).toBeLessThan(medium === 'pen' && tone > 0.9 ? 0.035 : 0.012);
+  for (const { error, technique, tone } of errors) {
+    expect(error, `${technique} at ${tone}`).toBeLessThan(technique === 'pen' && tone > 0.9 ? 0.035 : 0.012);
   }
 });
 
@@ -56,10 +56,9 @@ test('carved lines are white wedges that end in points, and their mean is the to
     const { HatchingMaterial, prepareHatchingGeometry, wholePieces } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2), { layout: 'indexed' });
     const material = new HatchingMaterial({
-      technique: 'engraved',
-      medium: 'woodcut',
+      technique: 'woodcut',
       crossFrom: 1,
-      lineField: 'y',
+      direction: 'y',
       screenSpaceShare: 1,
       irregularity: 0,
       strokeLength: 50,
@@ -115,9 +114,9 @@ test('lines lie as far apart as asked on the screen, from near and far, or half 
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(8, 8), { layout: 'indexed' });
     const material = new HatchingMaterial({
-      technique: 'engraved',
+      technique: 'engraving',
       irregularity: 0,
-      lineField: 'y',
+      direction: 'y',
       screenSpaceShare: 1,
       lineSpacing: 6,
       crossFrom: 1,
@@ -146,7 +145,7 @@ test('a picture of more pixels has the same lines, whatever they are sized on, a
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry, scaledSizes } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(8, 8), { layout: 'indexed' });
-    const look = { technique: 'engraved', irregularity: 0, lineField: 'y', crossFrom: 1 } as const;
+    const look = { technique: 'engraving', irregularity: 0, direction: 'y', crossFrom: 1 } as const;
     const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);
     camera.position.z = 5;
     /** The middle column of a picture with sizes as they are given, or with others too. */
@@ -191,11 +190,11 @@ test('lines cut by an axis stay while the light moves; those cut by the light tu
     const { THREE, draw, rendererOf, paperScene, lookFrom, mostDifferent } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.IcosahedronGeometry(1, 20), { layout: 'indexed' });
-    const material = new HatchingMaterial({ technique: 'engraved', screenSpaceShare: 1 });
+    const material = new HatchingMaterial({ technique: 'engraving', screenSpaceShare: 1 });
     const sun = new THREE.DirectionalLight(0xffffff, 1e-3);
     const scene = paperScene(new THREE.Mesh(geometry, material), sun, new THREE.AmbientLight(0xffffff, 0.6 * Math.PI));
-    const changeWith = (lineField: 'light' | 'x') => {
-      material.lineField = lineField;
+    const changeWith = (direction: 'light' | 'x') => {
+      material.direction = direction;
       const pictures = [
         [1, 1, 1],
         [-1, 1, 0.2],
@@ -222,7 +221,7 @@ test('the triangulation does not show: a flat sheet of 2 and of 5,000 triangles 
       const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2, 2, parts, parts), {
         layout: 'indexed',
       });
-      const material = new HatchingMaterial({ technique: 'engraved', screenSpaceShare: 1 });
+      const material = new HatchingMaterial({ technique: 'engraving', screenSpaceShare: 1 });
       pictures.push(draw(paperScene(light, new THREE.Mesh(geometry, material)), lookFrom(1, 1, 3), rendererOf(300)));
     }
     return pictures[0].filter((one, i) => Math.abs(one - pictures[1][i]) > 0.1).length;
@@ -235,7 +234,7 @@ test('a scene that is engraved needs no map, and keeps its indices', async ({ pa
     const { THREE, draw, rendererOf, paperScene, lookFrom, total } = window.lining;
     const { applyHatching } = window.toolkit;
     const mesh = new THREE.Mesh(new THREE.TorusGeometry(0.8, 0.3, 24, 48), new THREE.MeshLambertMaterial());
-    await applyHatching(mesh, { material: { technique: 'engraved', screenSpaceShare: 1 } });
+    await applyHatching(mesh, { material: { technique: 'engraving', screenSpaceShare: 1 } });
     const light = new THREE.DirectionalLight(0xffffff, 2);
     const ink = total(draw(paperScene(light, mesh), lookFrom(1, 2, 4), rendererOf(300)));
     return {
@@ -265,7 +264,7 @@ test('lines hold fast to a mesh that bends: engraving moves with the surface', a
       ),
     );
     const geometry = await prepareHatchingGeometry(source, { layout: 'indexed' });
-    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', irregularity: 0, crossFrom: 1 });
+    const material = new HatchingMaterial({ technique: 'engraving', direction: 'y', irregularity: 0, crossFrom: 1 });
     const mesh = new THREE.SkinnedMesh(geometry, material);
     const bone = new THREE.Bone();
     mesh.add(bone);
@@ -290,7 +289,7 @@ test('around a near lamp lines are cut by spheres: on a floor they are circles a
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial } = window.toolkit;
     const material = new HatchingMaterial({
-      technique: 'engraved',
+      technique: 'engraving',
       irregularity: 0,
       crossFrom: 1,
       screenSpaceShare: 1,
@@ -332,7 +331,7 @@ test('lines run on from mesh to mesh of a scene, whatever the parts are scaled, 
     light.position.set(1, 2, 2);
     const draws = async (scene: InstanceType<typeof THREE.Object3D>, clones = false) => {
       const hatched = await applyHatching(scene, {
-        material: { technique: 'engraved', screenSpaceShare: 0.5, lineSpacing: 20 },
+        material: { technique: 'engraving', screenSpaceShare: 0.5, lineSpacing: 20 },
         tilesPerWorldUnit: 3,
       });
       const drawn = clones ? scene.clone() : scene;
@@ -371,7 +370,7 @@ test('a face that lies in a cutting plane has lines all the same: other families
   const means = await page.evaluate(async () => {
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial } = window.toolkit;
-    const material = new HatchingMaterial({ technique: 'engraved', irregularity: 0, lineField: 'z' });
+    const material = new HatchingMaterial({ technique: 'engraving', irregularity: 0, direction: 'z' });
     const mesh = new THREE.Mesh(new THREE.PlaneGeometry(4, 4), material);
     const camera = new THREE.OrthographicCamera(-0.6, 0.6, 0.6, -0.6, 0.1, 10);
     camera.position.z = 2;

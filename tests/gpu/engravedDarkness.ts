@@ -1,12 +1,12 @@
 import { mat4, vec3 } from 'gl-matrix';
-import { LINE_CONSTANTS } from '../../src/look/constants/engravedConstants.js';
+import { LINE_CONSTANTS } from '../../src/look/constants/lineConstants.js';
 import { combined, dot, normalize, type Vec3 } from '../../src/look/vectors.js';
 import { type EngravedLook, Engraver } from '../../src/vector/Engraver.js';
 import type { SurfacePlace } from '../../src/vector/LineSurface.js';
 import type { FamilyMeasure } from '../../src/vector/lineMarks.js';
 import { Projection } from '../../src/vector/Projection.js';
 import { cutFor, cutWidth } from '../../src/vector/shading/carving.js';
-import { across, type CutField, type Field, fieldLight, firstField } from '../../src/vector/shading/fieldAxis.js';
+import { across, type CutDirection, type Field, fieldLight, firstField } from '../../src/vector/shading/fieldAxis.js';
 import { handWidth } from '../../src/vector/shading/hand.js';
 import { formVarying } from '../../src/vector/shading/lineFunctions.js';
 import { penFor, strokeAt } from '../../src/vector/shading/penStrokes.js';
@@ -33,7 +33,16 @@ export type EngravedScene = Pick<HatchingSpec, 'lights' | 'matrixWorld' | 'camer
 /** The darkness of engraved lines, by the functions that draw them in vector files. Light and tone are those of the reference. */
 export function engravedDarkness(scene: EngravedScene, reference: HatchingReference): DarknessOf {
   const { lines, lights, matrixWorld, camera, material, screenSpaceShare, centre } = scene;
-  const { lineField, form, medium = 'ink', lineSpacing, strokeLength, crossFrom, crossAngle, irregularity } = lines;
+  const {
+    direction,
+    form,
+    technique = 'engraving',
+    lineSpacing,
+    strokeLength,
+    crossFrom,
+    crossAngle,
+    irregularity,
+  } = lines;
   const { tilesPerObjectUnit, strokeAngle, shadowStrokes } = material;
   const world = mat4.invert(mat4.create(), camera.view as unknown as mat4)!;
   const projection = new Projection({ ...camera, world, near: 0 }, scene.width, scene.height);
@@ -45,8 +54,8 @@ export function engravedDarkness(scene: EngravedScene, reference: HatchingRefere
     tilesPerObjectUnit * back[8 + i],
   ];
   const viewToField: Mat3 = [row(0), row(1), row(2)];
-  const look: Omit<EngravedLook, 'lineField'> = {
-    ...{ medium, strokeLength, crossFrom, crossAngle, irregularity },
+  const look: Omit<EngravedLook, 'direction'> = {
+    ...{ technique, strokeLength, crossFrom, crossAngle, irregularity },
     spacing: { lineSpacing, minLineSpacing: 3, screenSpaceShare },
     crossesInShadows: shadowStrokes === 'cross',
   };
@@ -71,12 +80,12 @@ export function engravedDarkness(scene: EngravedScene, reference: HatchingRefere
     const isDark = arriving.length < lights.length && !arriving.some(({ type }) => DIRECTED.includes(type));
     let engraver: Engraver;
     if (form) {
-      const isAcross = (lineField === 'acrossForm') !== isDark;
-      engraver = new Engraver({ ...look, lineField: isAcross ? 'acrossForm' : 'form' }, null, viewToField, projection);
+      const isAcross = (direction === 'acrossForm') !== isDark;
+      engraver = new Engraver({ ...look, direction: isAcross ? 'acrossForm' : 'form' }, null, viewToField, projection);
     } else {
       const light = isDark ? { axis: across(lightFrom(lights).axis), bend: 0 } : lightFrom(arriving);
-      const field = firstField(lineField as CutField, light, strokeAngle);
-      engraver = new Engraver({ ...look, lineField }, field, viewToField, projection);
+      const field = firstField(direction as CutDirection, light, strokeAngle);
+      engraver = new Engraver({ ...look, direction }, field, viewToField, projection);
     }
     engravers.set(key, engraver);
     return engraver;
@@ -122,11 +131,11 @@ export const coverage = (away: number, half: number): number =>
 /** The darkness of one family, where its function has a value: the sum over the lines that may touch the pixel. */
 function familyDarkness({ tone, octave, perPixel, widths, strokes }: FamilyMeasure, value: number): number {
   if (tone === 0) return 0;
-  const isCut = strokes?.medium === 'woodcut';
+  const isCut = strokes?.technique === 'woodcut';
   const spaced = isCut ? strokes.cutOctave : octave;
   const spacing = powerOf2(spaced);
   const cut = isCut && cutFor(tone, strokes.along, strokes.repeat, spaced);
-  const pen = strokes?.medium === 'pen' && penFor(tone, strokes.along, strokes.irregularity, strokes.repeat, spaced);
+  const pen = strokes?.technique === 'pen' && penFor(tone, strokes.along, strokes.irregularity, strokes.repeat, spaced);
   const top = Math.ceil(spaced);
   const step = 2 ** (top - 1);
   let covered = 0;

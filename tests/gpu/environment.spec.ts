@@ -97,7 +97,7 @@ test("cube textures and render targets light as they light three's Lambert", { t
     new THREE.CubeCamera(0.1, 100, target).update(renderer, new RoomEnvironment());
 
     const hatched = await hatchedMesh(new THREE.SphereGeometry(1, 24, 16), {
-      technique: 'anchored',
+      technique: 'hatching',
       debugView: 'tone',
     });
     const lambert = new THREE.Mesh(hatched.geometry, new THREE.MeshLambertMaterial());
@@ -222,7 +222,7 @@ test('after compileAsync the first frame in an environment links no program', { 
       };
       const environment =
         name === 'sky' ? sky : new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
-      for (const technique of ['adjacency', 'anchored', 'engraved'] as const) {
+      for (const technique of ['adjacency', 'hatching', 'engraving'] as const) {
         const root = new THREE.Group().add(
           new THREE.Mesh(new THREE.SphereGeometry(), new THREE.MeshStandardMaterial()),
         );
@@ -253,11 +253,11 @@ test('after compileAsync the first frame in an environment links no program', { 
   });
   expect(counts).toEqual({
     'sky, adjacency': [1, 0, 0, 1],
-    'sky, anchored': [1, 0, 0, 1],
-    'sky, engraved': [1, 0, 0, 1],
+    'sky, hatching': [1, 0, 0, 1],
+    'sky, engraving': [1, 0, 0, 1],
     'blurred, adjacency': [1, 0, 0, 1],
-    'blurred, anchored': [1, 0, 0, 1],
-    'blurred, engraved': [1, 0, 0, 1],
+    'blurred, hatching': [1, 0, 0, 1],
+    'blurred, engraving': [1, 0, 0, 1],
   });
   // A software rasterizer compiles while one waits.
   expect(pageProblems.splice(0).filter((problem) => !problem.includes('KHR_parallel_shader_compile'))).toEqual([]);

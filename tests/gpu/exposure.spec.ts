@@ -18,7 +18,7 @@ function tonesOf(pixels: number[]): number[] {
 for (const technique of techniques) {
   test(
     `a ball is the same picture in a light of any intensity: ${technique}`,
-    quickIf(technique === 'adjacency' || technique === 'engraved'),
+    quickIf(technique === 'adjacency' || technique === 'engraving'),
     async ({ page }) => {
       const [first, ...others] = await page.evaluate(async (technique) => {
         const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
@@ -47,7 +47,7 @@ test('the exposure stays as it is while the camera moves, and is what it was whe
     const { THREE, fitExposure, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
     const light = sun(1);
-    const mesh = await hatchedMesh(new THREE.TorusGeometry(1, 0.4), { technique: 'engraved', exposure: 'auto' });
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(1, 0.4), { technique: 'engraving', exposure: 'auto' });
     const scene = sceneOf(mesh, light, new THREE.HemisphereLight(0xffffff, 0x222222, 1));
     const camera = makeCamera();
     const draw = (): number[] => {
@@ -127,7 +127,7 @@ test("a scene for physically based rendering, lit by three's defaults, has light
     const renderer = makeRenderer();
     const environment = new THREE.PMREMGenerator(renderer).fromScene(new RoomEnvironment()).texture;
     const mesh = await hatchedMesh(new THREE.TorusKnotGeometry(0.8, 0.3, 96, 16), {
-      ...{ technique: 'anchored', debugView: 'tone' },
+      ...{ technique: 'hatching', debugView: 'tone' },
     });
     const lights = [
       new THREE.DirectionalLight(),
@@ -177,7 +177,7 @@ test('a tone curve by hand has the light as it is', async ({ page }) => {
       [0.5, 0.2],
       [1, 0.9],
     ] as const;
-    const mesh = await hatchedMesh(new THREE.SphereGeometry(), { technique: 'anchored', debugView: 'tone', toneCurve });
+    const mesh = await hatchedMesh(new THREE.SphereGeometry(), { technique: 'hatching', debugView: 'tone', toneCurve });
     const scene = sceneOf(mesh, sun(1));
     return ([1, 'auto'] as const).map((exposure) => {
       mesh.material.exposure = exposure;

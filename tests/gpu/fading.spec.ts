@@ -13,7 +13,7 @@ test('outlines of a surface are thinner with its depth, and heavier in front tha
     const root = new THREE.Group().add(...sheets);
     const camera = new THREE.OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 50);
     const hatched = await applyHatching(root, {
-      material: { technique: 'engraved' },
+      material: { technique: 'engraving' },
       outlines: { outlineWidth: 2, weights: { lit: 1, shade: 1 } },
     });
     // In this light the sheets are blank.
@@ -52,7 +52,7 @@ test('a scene that is deep fades by itself, another one does not', async ({ page
       floor.position.set(0, -1, -2 - length / 2);
       const root = new THREE.Group().add(floor);
       const hatched = await applyHatching(root, {
-        material: { technique: 'engraved', toneCurve: 'linear', depthFade },
+        material: { technique: 'engraving', toneCurve: 'linear', depthFade },
       });
       const pixels = pixelsOf(sceneOf(root), renderer, new THREE.PerspectiveCamera(40, 1, 0.1, 100));
       hatched.dispose();
@@ -86,7 +86,7 @@ test('objects of less importance are drawn lighter, outlines included, and those
       return group;
     });
     const root = new THREE.Group().add(...groups);
-    await applyHatching(root, { material: { technique: 'engraved' }, outlines: true });
+    await applyHatching(root, { material: { technique: 'engraving' }, outlines: true });
     const scene = sceneOf(root, sun());
     const renderer = makeRenderer();
     const draw = (...importances: unknown[]) => {
@@ -135,7 +135,7 @@ test('a vignette lies on the whole picture where it is drawn in tiles', async ({
     const { THREE, applyHatching, makeRenderer, pixelsOf, sceneOf, SIZE } = window.toolkit;
     const wall = new THREE.Mesh(new THREE.PlaneGeometry(9, 9), new THREE.MeshBasicMaterial());
     const root = new THREE.Group().add(wall);
-    await applyHatching(root, { material: { technique: 'engraved', toneCurve: 'linear', vignette: 1 } });
+    await applyHatching(root, { material: { technique: 'engraving', toneCurve: 'linear', vignette: 1 } });
     const scene = sceneOf(root);
     const renderer = makeRenderer();
     const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);

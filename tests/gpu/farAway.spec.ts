@@ -20,7 +20,7 @@ test('a scene far from the origin of the world is drawn as it is there', async (
       const root = new THREE.Group().add(ball, box, floor, light, light.target);
       root.position.set(x, x / 2, -x);
       const scene = new THREE.Scene().add(root);
-      await applyHatching(root, { outlines: true, material: { technique: 'engraved', lineSpacing: 5 } });
+      await applyHatching(root, { outlines: true, material: { technique: 'engraving', lineSpacing: 5 } });
       const camera = new THREE.PerspectiveCamera(30, 1, 0.1, 50);
       camera.position.set(x + 2, x / 2 + 2, -x + 5);
       camera.lookAt(root.position);

@@ -15,7 +15,7 @@ test('the mean darkness is the tone, at every distance between octaves and far a
     const { THREE, draw, rendererOf, paperScene } = window.lining;
     const { HatchingMaterial, prepareHatchingGeometry } = window.toolkit;
     const geometry = await prepareHatchingGeometry(new THREE.TorusGeometry(1, 0.45, 48, 96), { form: true });
-    const material = new HatchingMaterial({ technique: 'engraved', toneCurve: 'linear', reflectedLight: 0 });
+    const material = new HatchingMaterial({ technique: 'engraving', toneCurve: 'linear', reflectedLight: 0 });
     const light = new THREE.AmbientLight(0xffffff, 0);
     const scene = paperScene(new THREE.Mesh(geometry, material), light);
     const camera = new THREE.OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0.1, 10);
@@ -27,9 +27,9 @@ test('the mean darkness is the tone, at every distance between octaves and far a
     };
     const errors: number[] = [];
     for (const look of [
-      { lineField: 'form', irregularity: 0, crossFrom: 1 },
-      { lineField: 'acrossForm', irregularity: 0, crossFrom: 1 },
-      { lineField: 'form', irregularity: 0.4, crossFrom: 0.3 },
+      { direction: 'form', irregularity: 0, crossFrom: 1 },
+      { direction: 'acrossForm', irregularity: 0, crossFrom: 1 },
+      { direction: 'form', irregularity: 0.4, crossFrom: 0.3 },
     ] as const) {
       Object.assign(material, look);
       for (const quarter of [0, 1, 2, 3, -5, -8]) {
@@ -67,13 +67,13 @@ test('seams are invisible, in lines of any octave and in their variation by the 
         }
       }
     }
-    const look = { technique: 'engraved', irregularity: 0.7, crossFrom: 0.2, shadowStrokes: 'cross' } as const;
-    const material = new HatchingMaterial({ ...look, lineField: 'form', toneCurve: 'linear', reflectedLight: 0 });
+    const look = { technique: 'engraving', irregularity: 0.7, crossFrom: 0.2, shadowStrokes: 'cross' } as const;
+    const material = new HatchingMaterial({ ...look, direction: 'form', toneCurve: 'linear', reflectedLight: 0 });
     const light = new THREE.DirectionalLight(0xffffff, 0.8 * Math.PI);
     light.position.set(0.5, 1, 2);
     const worst: number[] = [];
-    for (const lineField of ['form', 'acrossForm'] as const) {
-      material.lineField = lineField;
+    for (const direction of ['form', 'acrossForm'] as const) {
+      material.direction = direction;
       for (const distance of [2.5, 6, 14, 30]) {
         const camera = lookFrom(0.3, 0.5, distance);
         const [a, b] = [whole, seamed].map((geometry) =>
@@ -114,7 +114,13 @@ test('lines stay where they are on a skin that bends, and between them it stays 
     );
     const geometry = await prepareHatchingGeometry(source, { form: true });
     // The greatest spacing of lines.
-    const look = { technique: 'engraved', lineField: 'form', irregularity: 0, crossFrom: 1, lineSpacing: 999 } as const;
+    const look = {
+      technique: 'engraving',
+      direction: 'form',
+      irregularity: 0,
+      crossFrom: 1,
+      lineSpacing: 999,
+    } as const;
     const material = new HatchingMaterial({ ...look, toneCurve: 'linear', reflectedLight: 0 });
     const mesh = new THREE.SkinnedMesh(geometry, material);
     const [lower, bent] = [new THREE.Bone(), new THREE.Bone()];
@@ -162,7 +168,7 @@ test('strokes run on where the sign of the baked function changes', async ({ pag
     const tonalArtMap = await TonalArtMap.generate({ size: 256 });
     const source = new THREE.TorusGeometry(1, 0.45, 24, 48);
     const geometry = await prepareHatchingGeometry(source, { form: true, layout: 'corner' });
-    const material = new HatchingMaterial({ tonalArtMap, technique: 'anchored', strokeField: 'form', edgePixels: 0 });
+    const material = new HatchingMaterial({ tonalArtMap, technique: 'hatching', direction: 'form', edgePixels: 0 });
     const scene = paperScene(new THREE.Mesh(geometry, material), new THREE.AmbientLight(0xffffff, 0.6 * Math.PI));
     const [camera, renderer] = [lookFrom(0, 1.5, 3.5), rendererOf(400)];
     const before = draw(scene, camera, renderer);
@@ -207,7 +213,7 @@ test('strokes in object space take the direction of the form as it is deformed',
     geometry.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4));
     const weights = Array.from({ length: count }, () => [1, 0, 0, 0]);
     geometry.setAttribute('skinWeight', new THREE.Float32BufferAttribute(weights.flat(), 4));
-    const look = { technique: 'anchored', strokeField: 'form', strokeAnchor: 'deformed', edgePixels: 0 } as const;
+    const look = { technique: 'hatching', direction: 'form', strokeAnchor: 'deformed', edgePixels: 0 } as const;
     const material = new HatchingMaterial({ ...look, tonalArtMap });
     const skinned = new THREE.SkinnedMesh(geometry, material);
     const bone = new THREE.Bone();
@@ -246,7 +252,7 @@ test('a large mesh follows the light first, then changes over to the form withou
     };
     const during: ReturnType<typeof drawn>[] = [];
     const hatched = await applyHatching(mesh, {
-      material: { technique: 'engraved', lineField: 'form', irregularity: 0, toneCurve: 'linear', reflectedLight: 0 },
+      material: { technique: 'engraving', direction: 'form', irregularity: 0, toneCurve: 'linear', reflectedLight: 0 },
       renderer,
       camera,
       invalidate: () => during.push({ ...drawn(), programs: programs() }),
@@ -274,7 +280,13 @@ test('lines cross at a new angle of the material, and at the former one until th
     const camera = lookFrom(0, 1.5, 4);
     const hatchedRing = async (crossAngle: number) => {
       const mesh = new THREE.Mesh(new THREE.TorusGeometry(1, 0.45, 24, 48), new THREE.MeshLambertMaterial());
-      const material = { technique: 'engraved', lineField: 'form', irregularity: 0, crossFrom: 0, crossAngle } as const;
+      const material = {
+        technique: 'engraving',
+        direction: 'form',
+        irregularity: 0,
+        crossFrom: 0,
+        crossAngle,
+      } as const;
       const hatched = await applyHatching(mesh, { material });
       return { hatched, scene: paperScene(mesh, new THREE.AmbientLight(0xffffff, 0.4 * Math.PI)) };
     };

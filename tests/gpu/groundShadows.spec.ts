@@ -60,18 +60,13 @@ for (const [filter, kind] of maps) {
 }
 
 const STAGES = [0.9, 0.7, 0.5, 0.3, 0.1];
-const MEDIA = [
-  ['engraved', 'ink'],
-  ['engraved', 'pen'],
-  ['engraved', 'woodcut'],
-  ['anchored', 'ink'],
-  ['anchored', 'dry'],
-  ['anchored', 'stipple'],
-] as const;
+const DRAWN = ['engraving', 'pen', 'woodcut', 'hatching', 'dryMedia', 'stipple'] as const;
 
-test('a shadow that dissolves has the tone that is left of it with all media', async ({ page }) => {
+test('a shadow that dissolves has the tone that is left of it with all techniques of strokes and lines', async ({
+  page,
+}) => {
   const tones = await page.evaluate(
-    async ([stages, media]) => {
+    async ([stages, techniques]) => {
       const { SIZE, lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
       const light = casting(await lightOf('directional'), 0);
       light.shadow.bias = 0;
@@ -79,16 +74,16 @@ test('a shadow that dissolves has the tone that is left of it with all media', a
       // The share of the tone that a fade of 1 takes there: the light's camera sees a width of 4.
       const share = height / light.position.clone().normalize().z / 4;
       const found: Record<string, number[]> = {};
-      for (const [technique, medium] of media) {
-        const look = { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5, shadowDirection: 'away', medium } as const;
-        const lines = { lineSpacing: 4, strokeLength: 30, irregularity: 0.4 };
+      for (const technique of techniques) {
+        const look = { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5, shadowDirection: 'away' } as const;
+        const lines = { lineSpacing: 4, irregularity: 0.4, ...(technique !== 'engraving' && { strokeLength: 30 }) };
         const plane = await ground(technique, {
           ...look,
-          ...(technique === 'engraved' ? lines : { screenSpaceShare: 1 }),
+          ...(['hatching', 'dryMedia', 'stipple'].includes(technique) ? { screenSpaceShare: 1 } : lines),
         });
         await plane.material.ready;
         const scene = sceneOf(plane, plate(height), light);
-        found[`${technique} ${medium}`] = stages.map((left) => {
+        found[technique] = stages.map((left) => {
           plane.material.shadowFade = (1 - left) / share;
           const pixels = draw(scene);
           let [sum, count] = [0, 0];
@@ -103,11 +98,13 @@ test('a shadow that dissolves has the tone that is left of it with all media', a
       }
       return found;
     },
-    [STAGES, MEDIA] as const,
+    [STAGES, DRAWN] as const,
   );
-  for (const [medium, found] of Object.entries(tones)) {
+  for (const [technique, found] of Object.entries(tones)) {
     for (const [i, left] of STAGES.entries()) {
-      expect(Math.abs(found[i] - 0.5 * left), `${medium}, ${left} is left: ${found}`).toBeLessThan(0.015 + 0.08 * left);
+      expect(Math.abs(found[i] - 0.5 * left), `${technique}, ${left} is left: ${found}`).toBeLessThan(
+        0.015 + 0.08 * left,
+      );
     }
   }
 });
@@ -117,9 +114,8 @@ test('lines of a woodcut end in points at the soft edge of a shadow, without iso
     const { SIZE, lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
     const light = casting(await lightOf('directional'), 1);
     light.shadow.bias = 0;
-    const plane = await ground('engraved', {
+    const plane = await ground('woodcut', {
       toneModel: 'shadow',
-      medium: 'woodcut',
       ink: '#000000',
       shadowTone: 0.3,
       shadowFade: 0,
@@ -230,10 +226,10 @@ test('with light ink, whose tone falls with the light, a shadow alone is blank, 
   expect(printed[1]).toBeGreaterThan(200);
 });
 
-for (const technique of ['anchored', 'engraved'] as const) {
+for (const technique of ['hatching', 'engraving'] as const) {
   test(
     `strokes of a shadow alone run away from the light, whatever those of the model do: ${technique}`,
-    quickIf(technique === 'engraved'),
+    quickIf(technique === 'engraving'),
     async ({ page }) => {
       const angles = await page.evaluate(async (technique) => {
         const { THREE, SIZE, lightOf, casting, clearances, ball, ground, sceneOf, draw } = window.shading;
@@ -243,7 +239,7 @@ for (const technique of ['anchored', 'engraved'] as const) {
           shadowTone: 0.4,
           shadowStrokes: 'cross',
           crossFrom: 0.1,
-          ...(technique === 'engraved' ? { lineField: 'x' } : { strokeLayers: 'tone', strokeAngle: 0.6 }),
+          ...(technique === 'engraving' ? { direction: 'x' } : { strokeLayers: 'tone', strokeAngle: 0.6 }),
         });
         const scene = sceneOf(plane, ball(), light);
         return (['away', 'strokes'] as const).map((shadowDirection) => {

@@ -50,7 +50,7 @@ async function film(page: Page, drawing: object): Promise<{ worst: number; poppi
       const { THREE, TonalArtMap, hatchedMesh, makeRenderer, makeCamera, sceneOf, sun } = window.toolkit;
       const tonalArtMap = await TonalArtMap.generate(drawing);
       const mesh = await hatchedMesh(new THREE.SphereGeometry(1.2, 48, 32), {
-        technique: 'anchored',
+        technique: 'hatching',
         tonalArtMap,
         tilesPerObjectUnit: 1.5,
       });

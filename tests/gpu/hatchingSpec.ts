@@ -1,12 +1,12 @@
-import type { StrokeField } from '../../src/look/hatchingProperties.js';
+import type { StrokeDirection } from '../../src/look/hatchingProperties.js';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
 import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
 import type { Quadratic } from './quadratics.js';
 
-/** Properties of `engraved` alone. */
+/** Properties of lines alone. */
 export interface LineSettings {
-  lineField: 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant' | 'form' | 'acrossForm';
+  direction: 'light' | 'towardsLight' | 'x' | 'y' | 'z' | 'slant' | 'form' | 'acrossForm';
   /** For the last two: the functions whose level sets are lines, and those of the crossing lines. */
   form?: readonly [first: Quadratic, crossing: Quadratic];
   lineSpacing: number;
@@ -14,8 +14,8 @@ export interface LineSettings {
   crossFrom: number;
   crossAngle: number;
   irregularity: number;
-  /** Default: 'ink'. */
-  medium?: 'ink' | 'pen' | 'woodcut';
+  /** Default: 'engraving'. */
+  technique?: 'engraving' | 'pen' | 'woodcut';
 }
 
 /** A picture to render, as plain data: what the test page and the reference both understand. */
@@ -33,14 +33,14 @@ export interface HatchingSpec {
   lights: ReferenceLight[];
   material: Omit<ReferenceMaterial, 'ink' | 'paper' | 'color'> & { ink: number[]; paper: number[]; color: number[] };
   map: AnalyticMapName;
-  /** For the technique `anchored`, which draws the mesh unprepared, with its own normals and hard edges. */
+  /** For strokes and dots, which draw the mesh unprepared, with its own normals and hard edges. */
   latticeSpacing?: number;
   /** The field of strokes, if not that of the light: for the form, the baked functions. */
-  strokes?: { strokeField: StrokeField; form?: readonly [first: Quadratic, crossing: Quadratic] };
+  strokes?: { direction: StrokeDirection; form?: readonly [first: Quadratic, crossing: Quadratic] };
   screenSpaceShare?: number;
-  /** For the medium `stipple` of the technique `anchored`: the dots. */
+  /** For the technique `stipple`: the dots. */
   dots?: { strokeWidth: number; edgePixels: number };
-  /** For the technique `engraved`, which draws the mesh unprepared too. */
+  /** For techniques of lines, which draw the mesh unprepared too. */
   lines?: LineSettings;
   doubleSided?: boolean;
   /** Importance of the mesh. Default: 1. */

@@ -15,7 +15,7 @@ const smooth = (from: number, to: number, x: number): number => {
 for (const technique of techniques) {
   test(
     `tone is brought to the darkest as far as occlusion and hollowStrength say: ${technique}`,
-    quickIf(technique === 'adjacency' || technique === 'engraved'),
+    quickIf(technique === 'adjacency' || technique === 'engraving'),
     async ({ page }) => {
       const occlusions = [0, 0.08, 0.2, 0.35, 0.5, 0.9];
       const cases = [

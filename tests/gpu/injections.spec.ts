@@ -20,8 +20,8 @@ interface Injection {
   techniques?: readonly string[];
 }
 
-const TECHNIQUES = ['triangle', 'adjacency', 'anchored', 'engraved'];
-const PER_FRAGMENT = ['anchored', 'engraved'];
+const TECHNIQUES = ['triangle', 'adjacency', 'hatching', 'engraving'];
+const PER_FRAGMENT = ['hatching', 'engraving'];
 const RED = [255, 0, 0] as const;
 const GREEN = [0, 255, 0] as const;
 const BLACK = [0, 0, 0] as const;
@@ -125,7 +125,9 @@ for (const technique of TECHNIQUES) {
   test(`code of users at each promised place: ${technique}`, async ({ page }) => {
     const sources = await page.evaluate(async (technique) => {
       await window.toolkit.HatchingMaterial.preload();
-      const { vertexShader, fragmentShader } = new window.toolkit.UsersMaterial({ technique: technique as 'engraved' });
+      const { vertexShader, fragmentShader } = new window.toolkit.UsersMaterial({
+        technique: technique as 'engraving',
+      });
       return { vertexShader, fragmentShader };
     }, technique);
     const shipped = {
@@ -144,17 +146,16 @@ for (const technique of TECHNIQUES) {
         const scene = sceneOf(mesh, sun(Math.PI, [5, 0, -0.5]));
         return injections.map((edits) => {
           mesh.material = new UsersMaterial({
-            technique: technique as 'engraved',
+            technique: technique as 'engraving',
             tonalArtMap,
             ...{
               toneNormal: 'smooth',
               toneCurve: 'linear',
               reflectedLight: 0,
               exposure: 1,
-              medium: 'ink',
               irregularity: 0,
             },
-            ...{ colorFill: 1, lineField: 'y', strokeLayers: 'single', toneMapped: false },
+            ...{ colorFill: 1, direction: 'y', strokeLayers: 'single', toneMapped: false },
           });
           Object.assign(mesh.material, shipped);
           // Hooks with the same source would share a program.

@@ -24,8 +24,8 @@ const ways: Record<string, Way> = {
   'adjacency, level by depth': { technique: 'adjacency', levelRule: 'depth' },
   'crisp, level by derivatives': { technique: 'triangle', crisp: true, levelRule: 'derivatives' },
   'crisp, level by depth': { technique: 'triangle', crisp: true, levelRule: 'depth' },
-  'anchored, sized on the object': { technique: 'anchored', screenSpaceShare: 0 },
-  'anchored, sized on the screen': { technique: 'anchored', screenSpaceShare: 1 },
+  'anchored, sized on the object': { technique: 'hatching', screenSpaceShare: 0 },
+  'anchored, sized on the screen': { technique: 'hatching', screenSpaceShare: 1 },
 };
 
 for (const [name, parameters] of Object.entries(ways)) {
@@ -40,7 +40,7 @@ for (const [name, parameters] of Object.entries(ways)) {
       test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
       for (const width of widths) {
         // Strokes of thresholds swell with the tone: the first is the drawn width for the others.
-        const drawn = parameters.crisp || parameters.technique === 'anchored' ? widths[0] : DRAWN_WIDTH;
+        const drawn = parameters.crisp || parameters.technique === 'hatching' ? widths[0] : DRAWN_WIDTH;
         expect(width / drawn, widths.join()).toBeGreaterThan(0.75);
         expect(width / drawn, widths.join()).toBeLessThan(1.25);
       }
@@ -90,7 +90,7 @@ for (const screenSpaceShare of [0, 1]) {
     `anchored strokes stay strokes at a slant, of the same tone: screenSpaceShare ${screenSpaceShare}`,
     quickIf(screenSpaceShare === 0),
     async ({ page }) => {
-      const way: Way = { technique: 'anchored', screenSpaceShare, ...upright };
+      const way: Way = { technique: 'hatching', screenSpaceShare, ...upright };
       const [faceOn, slanted] = [await drawWall(page, way, [1]), await drawWall(page, way, [1], { slant: 1.47 })].map(
         ([picture]) => spread(picture),
       );

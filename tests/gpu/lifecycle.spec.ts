@@ -130,7 +130,7 @@ test('a slider does not recompile, and a frame allocates no textures or geometri
   expect(calls).toBe(0);
 });
 
-for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
+for (const technique of ['triangle', 'adjacency', 'hatching'] as const) {
   test(`scale, rotation and shift count from the next frame on, for their material alone: ${technique}`, async ({
     page,
   }) => {
@@ -187,7 +187,7 @@ test('anchored draws a geometry that was never prepared, by its own normals', as
     const { THREE, HatchingMaterial, stripedMap, sceneOf, sun, pixelsOf } = window.toolkit;
     const material = new HatchingMaterial({
       tonalArtMap: stripedMap(),
-      technique: 'anchored',
+      technique: 'hatching',
       edgePixels: 0,
       tilesPerObjectUnit: 2,
     });
@@ -223,8 +223,8 @@ test('a surface is blank paper until its map is drawn, and hatched in the next f
     const inkIn = (pixels: number[]): number => pixels.filter((_, i) => i % 4 === 1 && pixels[i]! < 128).length;
     const outcomes: Record<string, number[]> = {};
     for (const look of [
-      { technique: 'anchored' },
-      { technique: 'anchored', medium: 'dry' },
+      { technique: 'hatching' },
+      { technique: 'dryMedia' },
       { technique: 'adjacency' },
       { technique: 'triangle', crisp: true },
     ] as const) {

@@ -9,7 +9,7 @@ import { test } from './toolkitPage.js';
 for (const technique of kindsOfTechnique) {
   test(
     `a number of lights seen before needs no new program, and no light that only changes does: ${technique}`,
-    quickIf(technique !== 'anchored'),
+    quickIf(technique !== 'hatching'),
     async ({ page }) => {
       const compiled = await page.evaluate(async (technique) => {
         const { THREE, hatchedMesh, stripedMap, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
@@ -17,7 +17,7 @@ for (const technique of kindsOfTechnique) {
         const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 16, 12), {
           tonalArtMap: stripedMap(),
           technique,
-          ...(technique !== 'engraved' && { strokeLayers: 'lights' as const }),
+          ...(technique !== 'engraving' && { strokeLayers: 'lights' as const }),
           reflectedLight: 0.3,
         });
         const second = new THREE.SpotLight(0xffffff, 3, 0, 0.5, 0.5, 0);
@@ -144,11 +144,11 @@ test('reflected light knows no shadow', async ({ page }) => {
   expect(Math.abs(centre(opened)[0] - 255 * 0.1464)).toBeLessThanOrEqual(2);
 });
 
-for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
-  for (const crisp of technique === 'anchored' ? [false] : [false, true]) {
+for (const technique of ['triangle', 'adjacency', 'hatching'] as const) {
+  for (const crisp of technique === 'hatching' ? [false] : [false, true]) {
     test(
       `a second layer: none with one light, and the same tone with two: ${technique}${crisp ? ', crisp' : ''}`,
-      quickIf(technique === 'anchored' || (technique === 'adjacency' && crisp)),
+      quickIf(technique === 'hatching' || (technique === 'adjacency' && crisp)),
       async ({ page }) => {
         const { one, oneLayered, two, twoLayered, means } = await page.evaluate(
           async ([technique, crisp]) => {
@@ -175,7 +175,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
               pixelsOf(sceneOf(await wallAt(depth, strokeLayers), left(), above()), renderer);
             const meanInk = async (strokeLayers: 'single' | 'lights') => {
               const pixels: number[] = [];
-              for (const depth of technique === 'anchored' ? [0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22] : [0])
+              for (const depth of technique === 'hatching' ? [0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22] : [0])
                 pixels.push(...(await underTwo(strokeLayers, depth)));
               return pixels.reduce((sum, x, i) => (i % 4 === 0 ? sum + x : sum), 0) / (255 * (pixels.length / 4));
             };
@@ -212,11 +212,11 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
   }
 }
 
-for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
-  for (const crisp of technique === 'anchored' ? [false] : [false, true]) {
+for (const technique of ['triangle', 'adjacency', 'hatching'] as const) {
+  for (const crisp of technique === 'hatching' ? [false] : [false, true]) {
     test(
       `layers by tone: one up to where they cross, and the same tone beyond: ${technique}${crisp ? ', crisp' : ''}`,
-      quickIf(technique === 'anchored' || (technique === 'triangle' && !crisp)),
+      quickIf(technique === 'hatching' || (technique === 'triangle' && !crisp)),
       async ({ page }) => {
         const shown = await page.evaluate(
           async ([technique, crisp]) => {
@@ -263,14 +263,14 @@ for (const technique of ['triangle', 'adjacency', 'anchored'] as const) {
           // not: there a single layer is not exact either.
           const tolerance = Math.max(0.02, Math.abs(ink(single) - tone) + 0.015);
           expect(Math.abs(ink(layered) - tone), `ink at ${tone}`).toBeLessThan(tolerance);
-          if (technique === 'anchored') expect(tolerance).toBeLessThan(0.035);
+          if (technique === 'hatching') expect(tolerance).toBeLessThan(0.035);
         }
       },
     );
   }
 }
 
-for (const technique of ['adjacency', 'anchored'] as const) {
+for (const technique of ['adjacency', 'hatching'] as const) {
   for (const degrees of [60, 90]) {
     test(
       `layers by tone run at the angles they are asked for: ${technique}, ${degrees}°`,

@@ -1,4 +1,5 @@
 import { mat4 } from 'gl-matrix';
+import { axisAngle } from '../../src/look/vectors.js';
 import { quickOnly } from '../browser/quickIf.js';
 import { expect, testOnOnePage } from '../browser/test.js';
 import { HatchingReference, type ReferenceLight, type ReferenceMaterial } from '../reference/hatchingReference.js';
@@ -247,7 +248,8 @@ function expected<Shade>(
     eye: spec.orthographic ? ([backward[8], backward[9], backward[10]] as Vec3) : eye,
     orthographic: !!spec.orthographic,
     lights: spec.lights,
-    material: spec.material as ReferenceMaterial,
+    // The reference turns strokes the other way.
+    material: { ...(spec.material as ReferenceMaterial), strokeAngle: -axisAngle(spec.material.strokeAngle) },
     tones: ANALYTIC_TONES,
     image: analyticMaps[spec.map].darkness,
     size: analyticMaps[spec.map].size,

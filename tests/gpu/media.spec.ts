@@ -19,9 +19,8 @@ test('the mean ink of a dry medium is the tone, and mostly grey at middle tones'
     const side = 256;
     const tonalArtMap = await TonalArtMap.generate({ size: 128 });
     const mesh = await hatchedMesh(new THREE.PlaneGeometry(40, 40), {
-      technique: 'anchored',
+      technique: 'dryMedia',
       tonalArtMap,
-      medium: 'dry',
       tilesPerObjectUnit: 2,
     });
     const light = sun();
@@ -72,9 +71,8 @@ test('the tooth stays with the sheet, the strokes with the model; tiles of a pic
     const { THREE, TonalArtMap, hatchedMesh, makeRenderer, sceneOf, sun } = window.toolkit;
     const side = 128;
     const mesh = await hatchedMesh(new THREE.PlaneGeometry(40, 40), {
-      technique: 'anchored',
+      technique: 'dryMedia',
       tonalArtMap: await TonalArtMap.generate({ size: 128 }),
-      medium: 'dry',
       softness: 0.5,
     });
     const light = sun();
@@ -153,9 +151,8 @@ test('grain runs along the strokes, and a flat wall has no marbling', { tag: '@a
         const parameters = { ...look, tonalArtMap, strokeAngle: (degrees * Math.PI) / 180 };
         const mesh = await hatchedMesh(new THREE.PlaneGeometry(8, 8), {
           ...parameters,
-          technique: 'anchored',
-          medium: 'dry',
-          strokeField: 'sheet',
+          technique: 'dryMedia',
+          direction: 'sheet',
           screenSpaceShare: 1,
           latticeSpacing: 0.5,
         });

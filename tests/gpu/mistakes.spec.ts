@@ -12,7 +12,7 @@ test('an ordinary scene is drawn without warnings, and mistakes are reported onc
     HatchingMaterial.silent = false;
     const renderer = makeRenderer();
     const ball = (parameters = {}) => {
-      const material = new HatchingMaterial({ technique: 'anchored', tonalArtMap: greyMap(), ...parameters });
+      const material = new HatchingMaterial({ technique: 'hatching', tonalArtMap: greyMap(), ...parameters });
       return Object.assign(new THREE.Mesh(new THREE.SphereGeometry(), material), { name: 'ball' });
     };
     pixelsOf(sceneOf(ball(), sun()), renderer);

@@ -55,7 +55,7 @@ for (const technique of techniques) {
 
   test(
     `under a sun, meshes darken each other where they meet and nowhere else: ${technique}`,
-    quickIf(technique === 'engraved'),
+    quickIf(technique === 'engraving'),
     async ({ page }) => {
       const [before, after] = await page.evaluate(async (technique) => {
         const { THREE, bakeOcclusion, hatchedMesh, makeRenderer, pixelsOf, sceneOf, sun } = window.toolkit;
@@ -84,7 +84,7 @@ for (const technique of techniques) {
 for (const technique of techniques) {
   test(
     `a mesh keeps the occlusion of its rest pose; instances have none, nor what was never prepared: ${technique}`,
-    quickIf(technique === 'anchored'),
+    quickIf(technique === 'hatching'),
     async ({ page }) => {
       const [rest, moved, instanced, plain, unprepared] = await page.evaluate(async (technique) => {
         const { THREE, bakeOcclusion, hatchedMesh, HatchingMaterial, makeRenderer, pixelsOf, sceneOf } = window.toolkit;
@@ -116,7 +116,7 @@ for (const technique of techniques) {
         const material = new HatchingMaterial({ technique, debugView: 'tone' });
         const bare = new THREE.Mesh(new THREE.PlaneGeometry(1, 1, 8, 8), material);
         const unprepared =
-          technique === 'anchored' || technique === 'engraved' ? pixelsOf(sceneOf(bare, light), renderer) : plain;
+          technique === 'hatching' || technique === 'engraving' ? pixelsOf(sceneOf(bare, light), renderer) : plain;
         return [rest, moved, instanced, plain, unprepared];
       }, technique);
       const y = SIZE / 2;

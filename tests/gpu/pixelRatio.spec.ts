@@ -112,19 +112,18 @@ const BLANK = [
 ] as const;
 
 const LOOKS: Record<string, Look> = {
-  strokes: { material: { technique: 'anchored', screenSpaceShare: 1, strokeWidth: 6 } },
-  'strokes sized on the object': { material: { technique: 'anchored', tilesPerObjectUnit: 0.3, strokeWidth: 6 } },
+  strokes: { material: { technique: 'hatching', screenSpaceShare: 1, strokeWidth: 6 } },
+  'strokes sized on the object': { material: { technique: 'hatching', tilesPerObjectUnit: 0.3, strokeWidth: 6 } },
   'crisp strokes of triangles': {
     material: { technique: 'adjacency', crisp: true, tilesPerObjectUnit: 0.3, strokeWidth: 6 },
   },
-  'engraved lines': { material: { technique: 'engraved', screenSpaceShare: 1, lineSpacing: 12, irregularity: 0 } },
+  'engraved lines': { material: { technique: 'engraving', screenSpaceShare: 1, lineSpacing: 12, irregularity: 0 } },
   'engraved lines sized half on the screen': {
-    material: { technique: 'engraved', screenSpaceShare: 0.5, lineSpacing: 60, irregularity: 0 },
+    material: { technique: 'engraving', screenSpaceShare: 0.5, lineSpacing: 60, irregularity: 0 },
   },
   'strokes of a pen': {
     material: {
-      technique: 'engraved',
-      medium: 'pen',
+      technique: 'pen',
       screenSpaceShare: 1,
       lineSpacing: 12,
       strokeLength: 50,
@@ -133,18 +132,17 @@ const LOOKS: Record<string, Look> = {
   },
   'wedges of a woodcut': {
     material: {
-      technique: 'engraved',
-      medium: 'woodcut',
+      technique: 'woodcut',
       screenSpaceShare: 1,
       lineSpacing: 12,
       strokeLength: 50,
       irregularity: 0,
     },
   },
-  dots: { material: { technique: 'anchored', medium: 'stipple', screenSpaceShare: 1, strokeWidth: 8 } },
-  grain: { material: { technique: 'anchored', medium: 'dry', paperGrain: 1, paperGrainSize: 6, softness: 0.2 } },
+  dots: { material: { technique: 'stipple', screenSpaceShare: 1, strokeWidth: 8 } },
+  grain: { material: { technique: 'dryMedia', paperGrain: 1, paperGrainSize: 6, softness: 0.2 } },
   outlines: {
-    material: { technique: 'anchored', toneCurve: BLANK },
+    material: { technique: 'hatching', toneCurve: BLANK },
     outlines: { outlineWidth: 5, wobble: 6, overshoot: 5, weights: { creases: 1, lit: 1, shade: 1 } },
   },
 };

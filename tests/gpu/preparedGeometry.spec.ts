@@ -10,7 +10,7 @@ import { test } from './toolkitPage.js';
 for (const technique of kindsOfTechnique) {
   test(
     `a mesh whose normals are NaN or zero is not black: ${technique}`,
-    quickIf(technique === 'engraved'),
+    quickIf(technique === 'engraving'),
     async ({ page }) => {
       const [sound, ...broken] = await page.evaluate(async (technique) => {
         const { THREE, hatchedMesh, sceneOf, sun, pixelsOf } = window.toolkit;
@@ -46,7 +46,7 @@ test('geometry that is moved after the bake is named, once, with the remedy', as
     HatchingMaterial.silent = false;
     const renderer = makeRenderer();
     const tonalArtMap = greyMap();
-    const draw = async (geometry: BufferGeometry, technique: 'adjacency' | 'anchored') => {
+    const draw = async (geometry: BufferGeometry, technique: 'adjacency' | 'hatching') => {
       const mesh = new THREE.Mesh(geometry, new HatchingMaterial({ technique, tonalArtMap }));
       mesh.name = geometry.name;
       const scene = sceneOf(mesh, sun());
@@ -66,19 +66,19 @@ test('geometry that is moved after the bake is named, once, with the remedy', as
     await draw((await prepare('moved', 'corner')).translate(0, 1, 0), 'adjacency');
     const sameAgain = await prepare('sameAgain', 'corner');
     sameAgain.setAttribute('position', sameAgain.getAttribute('position').clone());
-    await draw(sameAgain, 'anchored');
+    await draw(sameAgain, 'hatching');
     const moved = () => new THREE.SphereGeometry().toNonIndexed().getAttribute('position');
     const replaced = await prepare('replaced', 'corner');
-    await draw(replaced, 'anchored');
+    await draw(replaced, 'hatching');
     replaced.setAttribute('position', moved());
-    await draw(replaced, 'anchored');
+    await draw(replaced, 'hatching');
     const replacedInClone = (await prepare('replacedInClone', 'pull')).clone();
     replacedInClone.setAttribute('position', moved());
     await draw(replacedInClone, 'adjacency');
     const indexed = (await prepare('indexed', 'indexed')).scale(1, 2, 1);
-    await draw(indexed, 'anchored');
+    await draw(indexed, 'hatching');
     const freed = (await prepare('freed', 'indexed')).center().deleteAttribute('hatchNormal');
-    await draw(freed, 'anchored');
+    await draw(freed, 'hatching');
   });
   const problems = pageProblems.splice(0);
   const named = problems.map(
@@ -127,7 +127,7 @@ test('geometry without its adjacency is reported with its remedy', async ({ page
   expect(difference(merged.expected, merged.preparedAgain)).toBe(0);
   expect(difference(merged.expected, merged.corner)).toBe(0);
   const problems = pageProblems.splice(0);
-  const remedy = "Prepare it with { adjacency: true }, or use the technique 'anchored'.";
+  const remedy = "Prepare it with { adjacency: true }, or use the technique 'hatching'.";
   expect(problems).toEqual([
     expect.stringContaining(`the Mesh "indexed" at Scene/indexed was prepared without triangle adjacency. ${remedy}`),
     expect.stringContaining('the Mesh "pulled" at Scene/pulled has lost its triangle adjacency'),

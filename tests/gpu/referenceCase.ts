@@ -28,7 +28,7 @@ export interface ReferenceCase {
 /** The page's input for a case. */
 export function specOf(
   { mesh = torus, lights, matrixWorld, isOrthographic, material, screenSpaceShare = 1, importance = 1 }: ReferenceCase,
-  technique: 'anchored' | 'engraved',
+  technique: 'hatching' | 'engraving',
 ): HatchingSpec {
   return {
     width: SIZE,

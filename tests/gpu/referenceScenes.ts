@@ -84,7 +84,7 @@ export const defaults: ReferenceMaterial = {
   shininess: 30,
   toneNormal: 'face',
   tilesPerObjectUnit: 1.7,
-  strokeAngle: 0.4,
+  strokeAngle: -0.4,
   strokeOffset: [0.13, 0.37],
   blendAngle: Math.PI / 2,
   toneCurve: 'linear',

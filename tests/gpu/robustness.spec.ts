@@ -34,7 +34,7 @@ test('a tone curve that rounds to more than 1 prints full ink', { tag: '@all' },
         [x, 1],
         [1, 1],
       ] as const;
-      const material = new HatchingMaterial({ tonalArtMap, technique: 'anchored', toneCurve });
+      const material = new HatchingMaterial({ tonalArtMap, technique: 'hatching', toneCurve });
       pictures.push(pixelsOf(sceneOf(new THREE.Mesh(plane, material))));
     }
     return pictures;
@@ -107,7 +107,7 @@ test('changes after a frame show in the next: maps, vertex colours, sides, chann
 test('hooks of one’s own run beside the material’s, in every frame and for compile', async ({ page }) => {
   const [pixels, calls, sources] = await page.evaluate(async () => {
     const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer, makeCamera } = window.toolkit;
-    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2), { technique: 'anchored' });
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2), { technique: 'hatching' });
     const renderer = makeRenderer();
     const calls: unknown[] = [];
     const sources: string[] = [];
@@ -150,14 +150,14 @@ test('a map too large for the device leaves the paper blank and says so, once; o
     for (const [technique, limit] of [
       ['adjacency', 63],
       ['adjacency', 64],
-      ['anchored', 65],
-      ['anchored', 66],
+      ['hatching', 65],
+      ['hatching', 66],
       ['none', 66],
     ] as const) {
       const renderer = makeRenderer();
       renderer.capabilities.maxTextureSize = limit;
       const material = new HatchingMaterial({
-        technique: technique === 'none' ? 'anchored' : technique,
+        technique: technique === 'none' ? 'hatching' : technique,
         tonalArtMap: technique === 'none' ? null : stripedMap(),
       });
       // Dark, but not without any light.
@@ -171,9 +171,9 @@ test('a map too large for the device leaves the paper blank and says so, once; o
   });
   expect(inks['adjacency 63']).toBe(0);
   expect(inks['adjacency 64']).toBeGreaterThan(1000);
-  expect(inks['anchored 65']).toBe(inks['none 66']);
-  expect(inks['anchored 65']).toBe(0);
-  expect(inks['anchored 66']).toBeGreaterThan(1000);
+  expect(inks['hatching 65']).toBe(inks['none 66']);
+  expect(inks['hatching 65']).toBe(0);
+  expect(inks['hatching 66']).toBeGreaterThan(1000);
   // The light of the scenes is ambient alone, and one has no map.
   const said = pageProblems.splice(0).filter((problem) => problem.includes('this device'));
   expect(said).toHaveLength(2);

@@ -151,7 +151,7 @@ for (const radius of [0, 1, 3]) {
 for (const technique of techniques) {
   test(
     `outside a shadow no stroke changes, and inside the tone is that of the other lights: ${technique}`,
-    quickIf(technique === 'engraved'),
+    quickIf(technique === 'engraving'),
     async ({ page }) => {
       const results = await page.evaluate(
         async ([technique, shadowStrokes]) => {
@@ -199,11 +199,11 @@ for (const technique of techniques) {
   );
 }
 
-for (const technique of ['anchored', 'engraved'] as const) {
+for (const technique of ['hatching', 'engraving'] as const) {
   for (const blocked of ['directional', 'spot', 'point', 'sun'] as const) {
     test(
       `strokes turn to the lights that arrive: ${technique}, a shadow of ${blocked} among others`,
-      quickIf(blocked === (technique === 'anchored' ? 'spot' : 'point')),
+      quickIf(blocked === (technique === 'hatching' ? 'spot' : 'point')),
       async ({ page }) => {
         const results = await page.evaluate(
           async ([technique, blocked]) => {
@@ -253,7 +253,7 @@ for (const technique of ['anchored', 'engraved'] as const) {
 for (const technique of techniques) {
   test(
     `under one light strokes run across it in its shadow, and as before outside: ${technique}`,
-    quickIf(technique === 'adjacency' || technique === 'anchored'),
+    quickIf(technique === 'adjacency' || technique === 'hatching'),
     async ({ page }) => {
       const { inside, outside, straight } = await page.evaluate(async (technique) => {
         const { THREE, lightOf, casting, clearances, ball, ground, sceneOf, draw, compared } = window.shading;
@@ -269,7 +269,7 @@ for (const technique of techniques) {
         light.castShadow = false;
         light.intensity = 0;
         const straight = draw(scene);
-        if (technique === 'anchored' || technique === 'engraved') {
+        if (technique === 'hatching' || technique === 'engraving') {
           light.position.cross(new THREE.Vector3(0, 1, 0));
         } else plane.material.strokeAngle = Math.PI / 2;
         const across = draw(scene);
@@ -313,7 +313,7 @@ test('a brighter light outweighs another where frames are made before shadows ar
 for (const technique of techniques) {
   test(
     `the tone of shadows alone: nothing elsewhere, and inside the share that is taken: ${technique}`,
-    quickIf(technique === 'engraved'),
+    quickIf(technique === 'engraving'),
     async ({ page }) => {
       const { elsewhere, means, inside } = await page.evaluate(
         async ([technique, shadowStrokes]) => {
@@ -360,7 +360,7 @@ test('without a shadow the tone of shadows alone is nothing at all', async ({ pa
         [0, 0.5],
         [1, 0],
       ] as const;
-      const pixels = draw(sceneOf(await ground('anchored', { toneModel: 'shadow', toneCurve }), ...lights));
+      const pixels = draw(sceneOf(await ground('hatching', { toneModel: 'shadow', toneCurve }), ...lights));
       return pixels.reduce((least, value) => Math.min(least, value), 255);
     };
     return [
@@ -374,7 +374,7 @@ test('without a shadow the tone of shadows alone is nothing at all', async ({ pa
 
 for (const technique of techniques) {
   test(
-    `instances, skins${technique === 'anchored' ? ' and every depth buffer' : ''} carry shadows that strokes know of: ${technique}`,
+    `instances, skins${technique === 'hatching' ? ' and every depth buffer' : ''} carry shadows that strokes know of: ${technique}`,
     quickIf(technique === 'triangle'),
     async ({ page }) => {
       const shares = await page.evaluate(async (technique) => {
@@ -405,7 +405,7 @@ for (const technique of techniques) {
         skin.bind(new THREE.Skeleton([bone]));
         const turned = await show(plain);
         const pictures = [await show(instances), await show(skin)].map((pixels) => [pixels, turned]);
-        if (technique === 'anchored') {
+        if (technique === 'hatching') {
           // The effect of the depth buffer on shadows does not depend on the technique.
           material.shadowStrokes = 'cross';
           const crossed = await show(plain);

@@ -232,7 +232,7 @@ async function ground(
   const material = new HatchingMaterial(
     plainLook({
       technique,
-      ...(technique === 'engraved' ? { screenSpaceShare: 1, lineSpacing: 6 } : { tonalArtMap, tilesPerObjectUnit: 1 }),
+      ...(technique === 'engraving' ? { screenSpaceShare: 1, lineSpacing: 6 } : { tonalArtMap, tilesPerObjectUnit: 1 }),
       ...parameters,
     }),
   );

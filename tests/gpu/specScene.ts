@@ -28,6 +28,7 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
+import { drawsLines, needsAdjacency } from '../../src/look/queries.js';
 import { pairThresholdLevels, ThresholdTexture } from '../../src/material/tam/thresholds.js';
 import { plainLook } from '../../tools/plainLook.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
@@ -57,7 +58,7 @@ function analyticMap(name: AnalyticMapName): TonalArtMap {
   return map;
 }
 
-/** The part of a map that the material needs for `anchored`: only thresholds. */
+/** The part of a map that the material needs for `hatching`: only thresholds. */
 function analyticThresholdMap(): TonalArtMap {
   const { size, levels, field } = analyticThreshold;
   const drawn = Array.from({ length: levels }, (_, level) => {
@@ -177,18 +178,18 @@ export async function specScene(
   if (form) setForm(source, form, spec.material.tilesPerObjectUnit);
   source.setIndex(new BufferAttribute(new Uint32Array(spec.indices), 1));
   const { technique } = spec.material;
-  const isPerFragment = technique === 'anchored' || technique === 'engraved';
+  const isPerFragment = !needsAdjacency({ technique });
   const geometry = isPerFragment ? source : await prepareHatchingGeometry(source, { adjacency: true });
 
   const { form: _form, ...lines } = spec.lines ?? {};
-  const takesThresholds = technique === 'anchored' || spec.material.crisp;
+  const takesThresholds = technique === 'hatching' || spec.material.crisp;
   const { ink, paper, color, strokeOffset, strokeAngle, ...material } = spec.material;
   const hatching = make(
     plainLook({
       ...material,
-      ...(technique !== 'engraved' && { tonalArtMap: takesThresholds ? thresholdMap : analyticMap(spec.map) }),
+      ...(!drawsLines(technique) && { tonalArtMap: takesThresholds ? thresholdMap : analyticMap(spec.map) }),
       ...lines,
-      ...(spec.strokes && { strokeField: spec.strokes.strokeField }),
+      ...(spec.strokes && { direction: spec.strokes.direction }),
       side: spec.doubleSided ? DoubleSide : FrontSide,
     }),
   );
@@ -196,7 +197,7 @@ export async function specScene(
   hatching.strokeOffset.set(...strokeOffset);
   hatching.strokeAngle = strokeAngle;
   hatching.edgePixels = 0;
-  if (spec.dots) Object.assign(hatching, { ...spec.dots, medium: 'stipple', tonalArtMap: null });
+  if (spec.dots) Object.assign(hatching, { ...spec.dots, technique: 'stipple', tonalArtMap: null });
   hatching.latticeSpacing = spec.latticeSpacing ?? 0.35;
   hatching.screenSpaceShare = spec.screenSpaceShare ?? 0;
   hatching.ink.setRGB(...(ink as [number, number, number]), LinearSRGBColorSpace);

@@ -38,8 +38,7 @@ test.beforeEach(async ({ page }) => {
         ways.map(async (n) => {
           const turned = new THREE.Quaternion().setFromEuler(new THREE.Euler(0.9 * n, 2.3 * n, 1.7 * n));
           const mesh = await hatchedMesh(new THREE.PlaneGeometry(200, 200).applyQuaternion(turned), {
-            technique: 'anchored',
-            medium: 'stipple',
+            technique: 'stipple',
             tonalArtMap: null,
             screenSpaceShare: 1,
           });
@@ -262,8 +261,7 @@ test('tiles of a larger picture have the dots of the whole; dots follow a bone; 
     const { THREE, HatchingMaterial, makeRenderer, sceneOf } = window.toolkit;
     const side = 128;
     const material = new HatchingMaterial({
-      technique: 'anchored',
-      medium: 'stipple',
+      technique: 'stipple',
       screenSpaceShare: 1,
       strokeWidth: 6,
     });

@@ -1,7 +1,7 @@
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 
-test('strokes turn clockwise about the normal, in every technique', async ({ page }) => {
+test('strokes turn counterclockwise, as seen from outside, in every technique', async ({ page }) => {
   const turned = await page.evaluate(async () => {
     const { THREE, hatchedMesh, makeCamera, makeRenderer, pixelsOf, sceneOf, SIZE, TonalArtMap } = window.toolkit;
     // Soft stripes: of hard ones, edges would have few directions.
@@ -14,11 +14,11 @@ test('strokes turn clockwise about the normal, in every technique', async ({ pag
     const renderer = makeRenderer();
     const camera = makeCamera();
     const found: Record<string, number> = {};
-    for (const technique of ['triangle', 'adjacency', 'anchored', 'engraved'] as const) {
+    for (const technique of ['triangle', 'adjacency', 'hatching', 'engraving'] as const) {
       const mesh = await hatchedMesh(new THREE.PlaneGeometry(20, 20), {
         technique,
-        ...(technique === 'engraved'
-          ? { lineSpacing: 8, crossFrom: 1, tonalArtMap: null }
+        ...(technique === 'engraving'
+          ? { screenSpaceShare: 1, lineSpacing: 10, irregularity: 0, crossFrom: 1, tonalArtMap: null }
           : { tilesPerObjectUnit: 1, tonalArtMap }),
       });
       // The direction that the picture changes in, from −π/2 to π/2: twice the angle of the mean of squared gradients.
@@ -43,9 +43,9 @@ test('strokes turn clockwise about the normal, in every technique', async ({ pag
     }
     return found;
   });
-  // Crisp edges are steps, and engraved lines turn from one of some directions to the next: the sense counts, not the angle.
+  // Crisp edges are steps, and lines turn from one of some directions to the next: the sense counts, not the angle.
   for (const [technique, turn] of Object.entries(turned)) {
-    expect(turn, technique).toBeLessThan(-0.25);
-    expect(turn, technique).toBeGreaterThan(-0.8);
+    expect(turn, technique).toBeGreaterThan(0.25);
+    expect(turn, technique).toBeLessThan(0.8);
   }
 });

@@ -21,7 +21,7 @@ function worst(tone: number[], lambert: number[]): number {
 }
 
 // One technique that shades triangles and one that shades fragments; besideLambert.spec.ts draws each map with every technique.
-for (const technique of ['triangle', 'engraved'] as const) {
+for (const technique of ['triangle', 'engraving'] as const) {
   test(
     `maps, emitted light and flat shading make the tone of three's Lambert, set late too: ${technique}`,
     quickIf(technique === 'triangle'),

@@ -26,7 +26,7 @@ async function measureTones(style: StrokeStyleName): Promise<number[]> {
   const tonalArtMap = await TonalArtMap.generate({ style, size });
   const camera = new THREE.PerspectiveCamera(90, 1, 0.1, 10);
   const mesh = await hatchedMesh(new THREE.PlaneGeometry(40, 40), {
-    technique: 'anchored',
+    technique: 'hatching',
     tonalArtMap,
     edgePixels: 0,
   });

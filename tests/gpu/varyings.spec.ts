@@ -7,14 +7,14 @@ import { varyingRows } from './varyingRows.js';
 
 const ROWS = 15;
 
-for (const technique of ['triangle', 'adjacency', 'anchored', 'engraved'] as const) {
+for (const technique of ['triangle', 'adjacency', 'hatching', 'engraving'] as const) {
   // Engraved lines cross in a way of their own.
-  for (const strokeLayers of technique === 'engraved'
+  for (const strokeLayers of technique === 'engraving'
     ? (['single'] as const)
     : (['single', 'lights', 'tone'] as const)) {
     test(
       `four shadows, clipping, fog, vertex colours and all maps, of two channels, fit: ${technique}, layers ${strokeLayers}`,
-      quickIf(technique === 'engraved'),
+      quickIf(technique === 'engraving'),
       async ({ page }, testInfo) => {
         const programs = await page.evaluate(
           async ([technique, strokeLayers]) => {
@@ -48,7 +48,7 @@ for (const technique of ['triangle', 'adjacency', 'anchored', 'engraved'] as con
                 lightMap: second,
                 vertexColors: true,
                 clippingPlanes: [new THREE.Plane(new THREE.Vector3(1, 0, 0), 2)],
-                ...(technique === 'anchored' || technique === 'engraved' ? {} : { levelRule: 'depth' }),
+                ...(technique === 'hatching' || technique === 'engraving' ? {} : { levelRule: 'depth' }),
               });
               mesh.receiveShadow = true;
               const spot = new THREE.SpotLight(0xffffff, 3);
@@ -91,13 +91,13 @@ test('looks as they are by default, under one light, need few rows', { tag: '@al
     const looks = [
       { technique: 'triangle' },
       { technique: 'adjacency' },
-      { technique: 'anchored' },
-      { technique: 'anchored', medium: 'dry' },
-      { technique: 'anchored', medium: 'stipple' },
-      { technique: 'engraved', lineField: 'light' },
-      { technique: 'engraved', lineField: 'x' },
-      { technique: 'engraved', lineField: 'light', medium: 'pen' },
-      { technique: 'engraved', lineField: 'towards', medium: 'woodcut' },
+      { technique: 'hatching' },
+      { technique: 'dryMedia' },
+      { technique: 'stipple' },
+      { technique: 'engraving', direction: 'light' },
+      { technique: 'engraving', direction: 'x' },
+      { technique: 'pen', direction: 'light' },
+      { technique: 'woodcut', direction: 'towardsLight' },
     ] as const;
     const sources: [string, string, string][] = [];
     for (const look of looks) {

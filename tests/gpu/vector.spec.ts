@@ -40,7 +40,7 @@ test('a ball of half opacity before a torus is drawn as on the canvas', { tag: '
     const { THREE, compareScene, comparedScene, loadModel } = window.vectors;
     const { scene, camera } = await comparedScene(await loadModel('torus'), {});
     const torus = scene.children.find((child) => 'isMesh' in child) as InstanceType<typeof THREE.Mesh>;
-    const ball = await window.toolkit.hatchedMesh(new THREE.SphereGeometry(0.55, 64, 48), { technique: 'engraved' });
+    const ball = await window.toolkit.hatchedMesh(new THREE.SphereGeometry(0.55, 64, 48), { technique: 'engraving' });
     ball.material = (torus.material as typeof ball.material).clone();
     ball.material.setValues({ transparent: true, opacity: 0.5 });
     ball.position.set(0.45, 0.1, 0.95);

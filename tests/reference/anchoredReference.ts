@@ -1,5 +1,5 @@
 /**
- * The technique `anchored` at one fragment, in double precision: the simplex lattice from its definition (Perlin's
+ * The technique `hatching` at one fragment, in double precision: the simplex lattice from its definition (Perlin's
  * skewed cubes), the hash and the blend as documented. Shares no code with the shader.
  */
 import { mat4, vec3 } from 'gl-matrix';

@@ -29,7 +29,7 @@ export interface ReferenceLight {
 }
 
 export interface ReferenceMaterial {
-  technique: 'triangle' | 'adjacency' | 'anchored' | 'engraved';
+  technique: 'triangle' | 'adjacency' | 'hatching' | 'engraving';
   toneModel: 'lambert' | 'halfLambert' | 'phong' | 'toon';
   toneSteps: number;
   shininess: number;

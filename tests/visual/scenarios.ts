@@ -53,8 +53,8 @@ export interface Scenario {
       | 'strokeLayers'
       | 'crossFrom'
       | 'levelRule'
-      | 'strokeField'
-      | 'lineField'
+      | 'direction'
+      | 'direction'
       | 'irregularity'
     >
   >;
@@ -153,8 +153,8 @@ export const scenarios: readonly Scenario[] = [
   ...[0, 45, 90].map((degrees) => ({
     ...face,
     name: `figure-10-rotation-${degrees}`,
-    sentence: `Strokes turned by ${degrees} degrees about the normal of each triangle.`,
-    material: { tilesPerObjectUnit: 1.5, strokeAngle: (degrees * Math.PI) / 180 },
+    sentence: `Strokes turned by ${degrees} degrees about the normal of each triangle, clockwise.`,
+    material: { tilesPerObjectUnit: 1.5, strokeAngle: (-degrees * Math.PI) / 180 },
   })),
   // Smaller scales than elsewhere: from about 0.6 on the levels of the map keep strokes as wide as they are drawn.
   ...Object.entries({ coarse: 0.15, medium: 0.3, fine: 0.6 }).map(([name, tilesPerObjectUnit]) => ({
@@ -220,7 +220,7 @@ export const scenarios: readonly Scenario[] = [
     name: 'beyond-anchored',
     figure: 0,
     sentence: 'Anchored strokes, sized on the object: continuous, black and white.',
-    material: { technique: 'anchored', tilesPerObjectUnit: 2 },
+    material: { technique: 'hatching', tilesPerObjectUnit: 2 },
   },
   {
     ...dragon,
@@ -228,7 +228,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Anchored strokes, sized on the screen.',
     lights: sun(1.2, 1, 1),
-    material: { technique: 'anchored', strokeAngle: QUARTER_TURN, screenSpaceShare: 1 },
+    material: { technique: 'hatching', strokeAngle: QUARTER_TURN, screenSpaceShare: 1 },
   },
   {
     ...dragon,
@@ -237,8 +237,8 @@ export const scenarios: readonly Scenario[] = [
     sentence: 'Anchored strokes along the form, sized on the screen, crossed by others in the darks.',
     lights: sun(-1, 1.5, 1.2),
     material: {
-      technique: 'anchored',
-      strokeField: 'form',
+      technique: 'hatching',
+      direction: 'form',
       screenSpaceShare: 1,
       reflectedLight: 0.3,
       strokeLayers: 'tone',
@@ -251,7 +251,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Contours, heavier in the shade, over strokes that leave the lit side white.',
     lights: sun(-1, 1.5, 1.2),
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
+    material: { technique: 'hatching', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
     outlines: { outlineWidth: 2 },
   },
   {
@@ -259,7 +259,7 @@ export const scenarios: readonly Scenario[] = [
     name: 'outlines-chair',
     figure: 0,
     sentence: 'Borders and creases by an unsteady hand that runs on past corners.',
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
+    material: { technique: 'hatching', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
     outlines: { outlineWidth: 2, wobble: 1.5, overshoot: 5 },
   },
   {
@@ -267,7 +267,7 @@ export const scenarios: readonly Scenario[] = [
     name: 'outlines-face',
     figure: 0,
     sentence: 'Suggestive contours beside contours.',
-    material: { technique: 'anchored', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
+    material: { technique: 'hatching', toneCurve: 'perceptual', reflectedLight: 0.3, screenSpaceShare: 1 },
     outlines: { outlineWidth: 2, weights: { suggestiveContours: 0.6 } },
   },
   {
@@ -276,7 +276,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Engraved around the light, crossed in the darks, with contours.',
     lights: sun(-1, 1.5, 1.2),
-    material: { technique: 'engraved', reflectedLight: 0.12, screenSpaceShare: 1 },
+    material: { technique: 'engraving', reflectedLight: 0.12, screenSpaceShare: 1 },
     outlines: { outlineWidth: 2 },
   },
   {
@@ -284,7 +284,7 @@ export const scenarios: readonly Scenario[] = [
     name: 'engraved-fixed',
     figure: 0,
     sentence: 'Lines cut across an axis of the object by a ruling machine; only their width answers the light.',
-    material: { technique: 'engraved', lineField: 'y', irregularity: 0, screenSpaceShare: 1 },
+    material: { technique: 'engraving', direction: 'y', irregularity: 0, screenSpaceShare: 1 },
   },
   {
     ...bunny,
@@ -298,21 +298,21 @@ export const scenarios: readonly Scenario[] = [
     name: 'tone-linear',
     figure: 0,
     sentence: 'As much ink as there is shade: the side turned away is black.',
-    material: { technique: 'anchored', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN },
+    material: { technique: 'hatching', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN },
   },
   {
     ...bunny,
     name: 'tone-perceptual',
     figure: 0,
     sentence: 'Half the paper is covered where the light looks half as light as white.',
-    material: { technique: 'anchored', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, toneCurve: 'perceptual' },
+    material: { technique: 'hatching', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, toneCurve: 'perceptual' },
   },
   {
     ...bunny,
     name: 'tone-reflected-light',
     figure: 0,
     sentence: 'The surroundings reflect half the light: shade is darkest where it begins and opens up behind.',
-    material: { technique: 'anchored', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, reflectedLight: 0.5 },
+    material: { technique: 'hatching', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, reflectedLight: 0.5 },
   },
   {
     ...bunny,
@@ -328,7 +328,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'The same two lights and layers, in anchored strokes.',
     lights: twoSuns,
-    material: { technique: 'anchored', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, strokeLayers: 'lights' },
+    material: { technique: 'hatching', tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, strokeLayers: 'lights' },
   },
   {
     ...bunny,
@@ -336,7 +336,7 @@ export const scenarios: readonly Scenario[] = [
     figure: 0,
     sentence: 'Strokes cross in the darks: a second layer at 60°, and a third.',
     material: {
-      technique: 'anchored',
+      technique: 'hatching',
       screenSpaceShare: 1,
       strokeAngle: QUARTER_TURN,
       reflectedLight: 0.4,

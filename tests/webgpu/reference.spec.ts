@@ -3,7 +3,7 @@ import { engravedSpecs } from '../gpu/compareEngraved.js';
 import { stippleSpecs } from '../gpu/compareStipple.js';
 import { testSpecs } from './besideGlsl.js';
 
-testSpecs('engraved', engravedSpecs(), {
+testSpecs('engraving', engravedSpecs(), {
   quick: ['along the form, carved', 'on a plane that falls off around a point'],
   drawnInCases: [
     'along the form',
@@ -32,7 +32,7 @@ testSpecs('engraved', engravedSpecs(), {
     'in shadow, reorient',
   ],
 });
-testSpecs('anchored', anchoredSpecs(), {
+testSpecs('hatching', anchoredSpecs(), {
   quick: ['exposed, of a colour, in a shadow that crosses'],
   drawnInCases: [
     'directional light',

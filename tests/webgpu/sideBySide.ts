@@ -135,10 +135,10 @@ async function programsOfMany(drawn: 'forceWebGL' | 'webgpu', count: number): Pr
   stage.scene.remove(stage.mesh);
   const geometry = new SphereGeometry(0.1, 12, 8);
   for (let i = 0; i < count; i++) {
-    const lineField = i % 2 ? 'light' : 'y';
+    const direction = i % 2 ? 'light' : 'y';
     const look = {
-      technique: 'engraved',
-      lineField,
+      technique: 'engraving',
+      direction,
       lineSpacing: 4 + 0.1 * i,
       ink: i,
       irregularity: i / count,

@@ -16,9 +16,9 @@ import { median, medianInterval, ratios, verdict } from './statistics.mjs';
 import { figure, table, withInterval } from './table.mjs';
 
 const TECHNIQUES = {
-  corner: ['triangle', 'adjacency', 'anchored'],
-  pull: ['triangle', 'adjacency', 'anchored'],
-  indexed: ['anchored', 'engraved'],
+  corner: ['triangle', 'adjacency', 'hatching'],
+  pull: ['triangle', 'adjacency', 'hatching'],
+  indexed: ['hatching', 'engraving'],
 };
 /** Drawn as a scene: with outlines, shadows, occlusion and a ground that shows the shadow. */
 const LOOKS = ['engraving', 'pen', 'stipple', 'charcoal'];

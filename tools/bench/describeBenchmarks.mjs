@@ -13,7 +13,7 @@ const titles = {
   media: 'Media',
   lines: 'Lines',
   shadows: 'Shadows',
-  lineFields: 'What engraved lines follow',
+  lineFields: 'What lines follow',
   bake: 'The bake by phase',
   form: 'Lines that follow the form',
   memory: 'Memory and garbage',
@@ -39,12 +39,11 @@ Phong shading of the same geometry, on a Quadro FX 3800: the dashed line.`,
   nodes: `\`HatchingNodeMaterial\` beside three's \`MeshPhongMaterial\`, which \`WebGPURenderer\` draws as a \`MeshPhongNodeMaterial\`: same renderer, same geometry, in turn,
 as above. The page's clock times it until a pixel can be read, the processor's part in a frame included.`,
   many: 'This is what a scene of many small things costs.',
-  media:
-    'This is what media cost, compared with the ink of a pen. Pencil, charcoal and chalk are dry; a woodcut is carved.',
+  media: 'This is what the other techniques of strokes and lines cost, compared with `hatching`.',
   lines: 'This is what contours, borders and creases add to a frame, and to the main thread while the camera moves.',
   shadows: `This is what strokes that react to shadows cost, compared with strokes that shadows only darken, and what a ground that shows only shadows
 adds to the frame. The shadow map is drawn once, before.`,
-  lineFields: `Engraved lines that follow the form or an axis, compared with those that follow the light. Geometries have the layout \`indexed\`; those drawn
+  lineFields: `Lines that follow the form or an axis, compared with those that follow the light. Geometries have the layout \`indexed\`; those drawn
 along the form have the 24 bytes a vertex more. \`crossed\` asks for \`shadowStrokes: 'cross'\` too.`,
   bake: `These are the steps of the bake, on one thread of the page. \`check\` validates the mesh and measures its bounds, \`weld\` joins equal positions, \`pair\`
 computes the normals of triangles and finds the twins of edges, \`creases\` cuts at the crease angle and at sharp edges, \`normals\` smooths the hatch normals,
@@ -59,7 +58,7 @@ textures of the result, without outlines.`,
   upload: `This is how much longer a frame takes if the geometry must be uploaded to the GPU: the cost of \`bufferData\` and \`texImage2D\`.
 Only one triangle is drawn.`,
   tam: '`TonalArtMap.generate` does this in a worker.',
-  firstPicture: `A loaded model is hatched with \`anchored\`, outlines and the default map, each time in a new page. In turn: \`applyHatching\` without a map, the
+  firstPicture: `A loaded model is hatched with \`hatching\`, outlines and the default map, each time in a new page. In turn: \`applyHatching\` without a map, the
 map, \`compileAsync\`, the first frame. Together: \`applyHatching\` with \`renderer\` and \`camera\`, which does all but the frame side by side.
 
 The built playground is opened with nothing fetched, compiled or started, over the loopback and over 10 Mbit/s with 40 ms of latency: \`context\` is when it has

@@ -16,8 +16,8 @@ const EFFORT = { turns: 9, milliseconds: 0 };
 
 /** The measurements, each in its own page. */
 const FIGURES = {
-  'a frame of dragon48k, engraved': async (measure) =>
-    (await measure('comparedFrames', 'dragon48k', 'indexed', ['engraved'], EFFORT, 512)).engraved,
+  'a frame of dragon48k, engraving': async (measure) =>
+    (await measure('comparedFrames', 'dragon48k', 'indexed', ['engraving'], EFFORT, 512)).engraving,
   'the bake of dragon202k, indexed': (measure) => measure('comparedBakes', 'dragon202k', 'indexed', EFFORT),
 };
 

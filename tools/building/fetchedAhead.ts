@@ -8,7 +8,7 @@ const FIRST_MODEL = /\/dragon_vrip_res3\.ply-[^/]*\.gz$/;
 const FIRST_MODULES = [
   '/src/worker/WorkerPool.ts',
   '/src/worker/inlineWorker.ts',
-  '/src/material/parts/engraved.ts',
+  '/src/material/parts/lines.ts',
   '/src/material/parts/exposure.ts',
   '/src/material/geometry/bakedGeometry.ts',
   '/src/viewer/drawing/modelOfMesh.ts',

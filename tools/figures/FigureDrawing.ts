@@ -17,8 +17,8 @@ import { PIXEL_RATIO } from './figurePixels.js';
 import type { Figure, Look, Panel } from './figures.js';
 import { memoize } from './memoize.js';
 
-/** `asInPaper` draws each panel with its own technique, `anchored` replaces `adjacency` by anchored strokes. */
-export type TechniqueChoice = 'asInPaper' | 'anchored';
+/** `asInPaper` draws each panel with its own technique, `hatching` replaces `adjacency` by anchored strokes. */
+export type TechniqueChoice = 'asInPaper' | 'hatching';
 
 const DEFAULT_REFLECTION = 0.35;
 /** Factor on the stroke scale, because anchored strokes look coarser at the same scale. */
@@ -99,8 +99,8 @@ export class FigureDrawing {
   /** Sets the technique of the materials. */
   setTechnique(choice: TechniqueChoice): void {
     for (const { material, technique, tilesPerObjectUnit } of this.materials) {
-      const isReplaced = choice === 'anchored' && technique === 'adjacency' && !this.figure.fixedTechnique;
-      material.technique = isReplaced ? 'anchored' : technique;
+      const isReplaced = choice === 'hatching' && technique === 'adjacency' && !this.figure.fixedTechnique;
+      material.technique = isReplaced ? 'hatching' : technique;
       material.tilesPerObjectUnit = isReplaced ? ANCHORED_SCALE * tilesPerObjectUnit : tilesPerObjectUnit;
     }
   }

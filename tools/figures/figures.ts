@@ -23,7 +23,7 @@ export interface Look
       | 'ink'
       | 'strokeLayers'
       | 'crossAngle'
-      | 'lineField'
+      | 'direction'
       | 'lineSpacing'
       | 'screenSpaceShare'
       | 'strokeWidth'
@@ -216,7 +216,8 @@ export const FIGURES: readonly Figure[] = [
         panels: [0, 30, 60, 90].map((angle) => ({
           name: `rotation-${angle}`,
           label: `${angle}°`,
-          look: { strokeAngle: degrees(angle) },
+          // The paper turns strokes clockwise.
+          look: { strokeAngle: degrees(-angle) },
         })),
       },
       {
@@ -350,11 +351,11 @@ export const FIGURES: readonly Figure[] = [
       {
         panels: [
           { name: 'adjacency', label: 'as in the paper' },
-          { name: 'anchored', label: 'anchored to the dragon', look: { technique: 'anchored', tilesPerObjectUnit: 3 } },
+          { name: 'hatching', label: 'anchored to the dragon', look: { technique: 'hatching', tilesPerObjectUnit: 3 } },
           {
             name: 'crossed',
             label: 'crossing by tone',
-            look: { technique: 'anchored', tilesPerObjectUnit: 3, strokeLayers: 'tone', crossFrom: 0.35 },
+            look: { technique: 'hatching', tilesPerObjectUnit: 3, strokeLayers: 'tone', crossFrom: 0.35 },
           },
         ],
       },
@@ -369,13 +370,13 @@ export const FIGURES: readonly Figure[] = [
     fixedTechnique: true,
     light: { position: SIDES.left.position, reflected: 0 },
     view: [0.1, 0.05, 1],
-    look: { preset: 'engraving', lineField: 'light' },
+    look: { preset: 'engraving', direction: 'light' },
     rows: [
       {
         panels: [
           { name: 'light', label: 'around the light' },
-          { name: 'towards', label: 'towards it', look: { lineField: 'towards' } },
-          { name: 'fixed', label: 'fixed on the hand', look: { lineField: 'y' } },
+          { name: 'towards', label: 'towards it', look: { direction: 'towardsLight' } },
+          { name: 'fixed', label: 'fixed on the hand', look: { direction: 'y' } },
           { name: 'crossed', label: 'crossing early, at 90°', look: { crossFrom: 0.2, crossAngle: degrees(90) } },
         ],
       },

@@ -72,7 +72,7 @@ export const OFFERS = {
     'presetMaterials.ts',
     'queries.ts',
     'surroundings.ts',
-    'constants/engravedConstants.ts',
+    'constants/lineConstants.ts',
     'constants/patternConstants.ts',
     'constants/shadingConstants.ts',
   ],

@@ -7,10 +7,10 @@ import { flipsAt, isKept, requirements, toneError } from './requirements.mjs';
  */
 
 const colours = {
-  anchored: '#0b0b0b',
-  engraved: '#1e8449',
-  'engraved, x': '#b9770e',
-  'engraved, form': '#7d3c98',
+  hatching: '#0b0b0b',
+  engraving: '#1e8449',
+  'engraving, x': '#b9770e',
+  'engraving, form': '#7d3c98',
   adjacency: '#c0392b',
   'adjacency, crisp': '#2471a3',
   triangle: '#8a8a8a',
@@ -36,8 +36,8 @@ without antialiasing (\`edgePixels: 0\`). ${Object.keys(models).length} models, 
 
 ![Coherence of the strokes by number of triangles, and flips by turn of the light](metrics.svg)
 
-\`engraved\` has its lines spaced on the screen (\`screenSpaceShare: 1\`), cut by the light; \`engraved, x\` has them cut by the x axis, and in
-\`engraved, form\` they follow the form.
+\`engraving\` has its lines spaced on the screen (\`screenSpaceShare: 1\`), cut by the light; \`engraving, x\` has them cut by the x axis, and in
+\`engraving, form\` they follow the form.
 
 ## Requirements
 
@@ -78,7 +78,7 @@ ${table(
 - **popping**: flips between frames of a camera that comes 8 times nearer in 45 frames with \`screenSpaceShare: 1\`. Each point is
   looked up where the next frame shows it. The largest value over the median, then the median itself; then the same index for
   the mean change of luminance. Engraved lines have soft edges and come in as hair lines: flips count them at the moment they
-  are half dark, which on \`engraved, x\` is the same moment for all, while nothing jumps.
+  are half dark, which on \`engraving, x\` is the same moment for all, while nothing jumps.
 - **spacing ±**: half the range of the distance in pixels between strokes during the same move, divided by its middle; then the
   same for 1, 2, 4 and 8 times as near alone.
 - **coherence**: of the structure tensor, weighted by contrast, in the middle of a picture of 1000 pixels.
@@ -182,8 +182,8 @@ export function drawMetrics(models) {
     technique,
     points: dragons.map(([, { triangles, techniques: t }]) => [Math.log10(triangles), t[technique].coherence]),
   }));
-  const lit = Object.entries(models).filter(([name, { techniques: t }]) => name !== 'sphere' && t.anchored.light);
-  const turns = lit[0]?.[1].techniques.anchored.light.flips.map(({ degrees }) => degrees) ?? [];
+  const lit = Object.entries(models).filter(([name, { techniques: t }]) => name !== 'sphere' && t.hatching.light);
+  const turns = lit[0]?.[1].techniques.hatching.light.flips.map(({ degrees }) => degrees) ?? [];
   const flips = techniques.map((technique) => ({
     technique,
     points: turns.map((turn) => [turn, median(lit.map(([, { techniques: t }]) => flipsAt(t[technique], turn)))]),

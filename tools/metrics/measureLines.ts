@@ -35,7 +35,7 @@ const WAYS = [
 
 /** The presets whose lines are curves on the surface. */
 const engravedPresets = (): PresetName[] =>
-  (Object.keys(presets) as PresetName[]).filter((name) => presets[name].material.technique === 'engraved');
+  (Object.keys(presets) as PresetName[]).filter((name) => presets[name].material.technique === 'engraving');
 
 /**
  * Draws a model in every engraved preset, four times each.

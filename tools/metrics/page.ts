@@ -34,10 +34,10 @@ HatchingMaterial.silent = true;
 
 /** The first technique. Where stroke spacing matters, the others are scaled to its spacing. */
 const TECHNIQUES: [string, HatchingMaterialParameters][] = [
-  ['anchored', { technique: 'anchored' }],
-  ['engraved', { technique: 'engraved', screenSpaceShare: 1 }],
-  ['engraved, x', { technique: 'engraved', screenSpaceShare: 1, lineField: 'x' }],
-  ['engraved, form', { technique: 'engraved', screenSpaceShare: 1, lineField: 'form' }],
+  ['hatching', { technique: 'hatching' }],
+  ['engraving', { technique: 'engraving', screenSpaceShare: 1 }],
+  ['engraving, x', { technique: 'engraving', screenSpaceShare: 1, direction: 'x' }],
+  ['engraving, form', { technique: 'engraving', screenSpaceShare: 1, direction: 'form' }],
   ['adjacency', { technique: 'adjacency' }],
   ['adjacency, crisp', { technique: 'adjacency', crisp: true }],
   ['triangle', { technique: 'triangle' }],
@@ -202,10 +202,10 @@ function measureKink(geometry: BufferGeometry, edges: Uint32Array, material: Hat
   const smooth = geometry.getAttribute('hatchNormal');
   // These strokes alone take their direction from interpolated normals; engraved lines are cut out of the triangles.
   const normals =
-    material.technique === 'anchored'
+    material.technique === 'hatching'
       ? Float32Array.from({ length: 3 * smooth.count }, (_, i) => smooth.getComponent(Math.floor(i / 3), i % 3))
       : undefined;
-  const axis: Vector = counts(material, 'lineField') && material.lineField === 'x' ? [1, 0, 0] : TO_LIGHT.toArray();
+  const axis: Vector = counts(material, 'direction') && material.direction === 'x' ? [1, 0, 0] : TO_LIGHT.toArray();
   return strokeKink(geometry.getAttribute('position').array, edges, axis, normals);
 }
 

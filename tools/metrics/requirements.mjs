@@ -19,22 +19,22 @@ const OCTAVE = 1 / 3;
 export const requirements = /** @type {Requirement[]} */ ([
   {
     name: 'Greyness: share of pixels neither ink nor paper',
-    limits: { anchored: 0.005 },
+    limits: { hatching: 0.005 },
     worst: largest((m) => m.greyness),
   },
   {
     name: 'Mean jump of luminance across shared edges',
-    limits: { anchored: 1e-3, engraved: 1e-3, 'engraved, x': 1e-3 },
+    limits: { hatching: 1e-3, engraving: 1e-3, 'engraving, x': 1e-3 },
     worst: largest((m) => m.edgeJump?.mean),
   },
   {
     name: 'Tone error, worst of five tones',
-    limits: { anchored: 0.02, engraved: 0.02, 'engraved, x': 0.02, 'engraved, form': 0.01 },
+    limits: { hatching: 0.02, engraving: 0.02, 'engraving, x': 0.02, 'engraving, form': 0.01 },
     worst: largest(toneError),
   },
   {
     name: 'Flips under a 0.5° turn of the light, against those of `adjacency`',
-    limits: { anchored: 1 / 3, 'engraved, x': 0, 'engraved, form': 0 },
+    limits: { hatching: 1 / 3, 'engraving, x': 0, 'engraving, form': 0 },
     worst: (models, technique) =>
       // The coordinates of Suarez et al. hardly depend on light and place on a sphere about its own origin.
       largest((m, name) => (name === 'sphere' ? undefined : flipsAt(m) / flipsAt(models[name].techniques.adjacency)))(
@@ -44,33 +44,33 @@ export const requirements = /** @type {Requirement[]} */ ([
   },
   {
     name: 'Popping index of a camera coming 8 times nearer',
-    limits: { anchored: 2, engraved: 1.5 },
+    limits: { hatching: 2, engraving: 1.5 },
     worst: largest((m) => m.dolly?.popping),
   },
   {
     name: 'Popping index by luminance',
-    limits: { engraved: 1.5, 'engraved, x': 1.5, 'engraved, form': 1.5 },
+    limits: { engraving: 1.5, 'engraving, x': 1.5, 'engraving, form': 1.5 },
     worst: largest((m) => m.dolly?.luminancePopping),
   },
   {
     name: 'Stroke spacing in pixels during that move, ±',
-    limits: { anchored: 0.15, engraved: OCTAVE, 'engraved, x': OCTAVE, 'engraved, form': OCTAVE },
+    limits: { hatching: 0.15, engraving: OCTAVE, 'engraving, x': OCTAVE, 'engraving, form': OCTAVE },
     worst: largest((m) => m.zoom?.spread),
   },
   {
     name: 'Stroke spacing 1, 2, 4 and 8 times as near, ±',
-    limits: { engraved: 0.1, 'engraved, x': 0.1, 'engraved, form': 0.1 },
+    limits: { engraving: 0.1, 'engraving, x': 0.1, 'engraving, form': 0.1 },
     worst: largest((m) => m.zoom?.octaveSpread),
   },
   {
     name: 'Coherence',
-    limits: { engraved: 0.9, 'engraved, x': 0.9, 'engraved, form': 0.9 },
+    limits: { engraving: 0.9, 'engraving, x': 0.9, 'engraving, form': 0.9 },
     atLeast: true,
     worst: smallest((m) => m.coherence),
   },
   {
     name: 'Length of strokes on the sphere and the bunny, of that of the map',
-    limits: { anchored: 0.7 },
+    limits: { hatching: 0.7 },
     atLeast: true,
     // Only where the direction changes little along a stroke.
     worst: ({ sphere, bunny }, technique) =>
@@ -81,7 +81,7 @@ export const requirements = /** @type {Requirement[]} */ ([
   },
   {
     name: 'Coherence on the dragon of 871 k triangles, against that of 11 k',
-    limits: { anchored: 0.95, engraved: 0.95, 'engraved, x': 0.95, 'engraved, form': 0.95 },
+    limits: { hatching: 0.95, engraving: 0.95, 'engraving, x': 0.95, 'engraving, form': 0.95 },
     atLeast: true,
     worst: ({ dragon11k, dragon871k }, technique) =>
       dragon11k &&

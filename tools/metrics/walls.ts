@@ -29,7 +29,7 @@ const DISTANCES = 12;
 const RANGE = 8;
 /** Angles between the line of sight and the normal of the wall, degrees. */
 const ANGLES = [0, 15, 30, 45, 60, 70];
-const FIELDS = ['light', 'towards', 'x', 'y', 'z', 'slant', 'form', 'acrossForm'] as const;
+const FIELDS = ['light', 'towardsLight', 'x', 'y', 'z', 'slant', 'form', 'acrossForm'] as const;
 
 /** The worst of all views of a look, with the view. */
 export interface WallMeasure {
@@ -49,9 +49,9 @@ function looks(): [string, HatchingMaterialParameters, Parameters<typeof TonalAr
       { ...material, toneCurve: 'linear', reflectedLight: 0, exposure: 1, ink: 'black', paper: 'white' },
       tonalArtMap,
     ]),
-    ...FIELDS.map((lineField): ReturnType<typeof looks>[number] => [
-      `lines, ${lineField}`,
-      plainLook({ technique: 'engraved', screenSpaceShare: 1, lineField, crossFrom: 1 }),
+    ...FIELDS.map((direction): ReturnType<typeof looks>[number] => [
+      `lines, ${direction}`,
+      plainLook({ technique: 'engraving', screenSpaceShare: 1, direction, crossFrom: 1 }),
       null,
     ]),
   ];

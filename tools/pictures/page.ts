@@ -237,7 +237,7 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
 function lookOfHand({ material }: HatchingPreset): HatchingPreset['material'] {
   const { ink, paper, toneCurve, reflectedLight, exposure, colorHatching, colorFill, hollowStrength } = material;
   const tones = { toneCurve, reflectedLight, exposure, colorHatching, colorFill, hollowStrength };
-  return { technique: 'anchored', screenSpaceShare: 1, ink, paper, ...tones };
+  return { technique: 'hatching', screenSpaceShare: 1, ink, paper, ...tones };
 }
 
 const SUN_DISTANCE = 3;

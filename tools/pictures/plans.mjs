@@ -10,7 +10,7 @@ const BUST = { subject: 'nefertiti', view: [0.62, 0.12, 1], light: [-0.75, 1.1, 
 const BEHIND_THE_BUST = [-0.14, 1.43, 1];
 const DRAGON = { subject: 'dragon', view: [0.22, 0.2, 1], light: [-0.8, 1.2, 0.85], zoom: 0.95 };
 /** Settings that make the strokes of a preset turn with the light. */
-const TURNING = { engraving: { lineField: 'light' } };
+const TURNING = { engraving: { direction: 'light' } };
 
 /** Places of a light that is dragged from the left to the right, in degrees from the front. */
 const LIGHT_STEPS = [-80, -40, 0, 40, 80];
@@ -107,7 +107,7 @@ export const plansOf = (presets, techniques) => ({
       view: [0.22, 0.18, 1],
       light: [-1, 1.2, 0.85],
       shadows: true,
-      preset: technique === 'engraved' ? 'engraving' : 'pen',
+      preset: technique === 'engraving' ? 'engraving' : 'pen',
       material: { technique },
       width: 450,
       height: 450,
@@ -124,13 +124,13 @@ export const plansOf = (presets, techniques) => ({
       { subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.95 },
       { subject: 'suzanne', view: [0.3, 0.1, 1], light: [-1, 0.9, 0.6], zoom: 0.9 },
     ].flatMap((subject) =>
-      ['light', 'form'].map((lineField) => ({
+      ['light', 'form'].map((direction) => ({
         ...PRINT,
         ...subject,
         width: 450,
         height: 450,
         pixelRatio: 1.3,
-        material: { lineField },
+        material: { direction },
       })),
     ),
   },
@@ -142,13 +142,13 @@ export const plansOf = (presets, techniques) => ({
       { ...BUST, preset: 'crossHatching' },
       { subject: 'fox', view: [-1, 0.35, 0.8], light: [0.25, 1.6, 0.5], zoom: 0.95, preset: 'pencil' },
     ].flatMap((picture) =>
-      ['light', 'form'].map((strokeField) => ({
+      ['light', 'form'].map((direction) => ({
         ...picture,
         shadows: true,
         width: 450,
         height: 450,
         pixelRatio: 1.1,
-        material: { strokeField },
+        material: { direction },
       })),
     ),
   },
@@ -156,7 +156,7 @@ export const plansOf = (presets, techniques) => ({
     columns: 4,
     pictures: [
       { ...PRINT, subject: 'dragon', view: [0.22, 0.18, 1], light: [-1, 1.2, 0.85] },
-      { ...PRINT, subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.35], material: { lineField: 'y' } },
+      { ...PRINT, subject: 'hand', view: [0.1, 0.05, 1], light: [-1, 0.7, 0.35], material: { direction: 'y' } },
       { ...PRINT, subject: 'gear', view: [0.7, 0.5, 1], light: [-0.35, 1.1, 0.75], zoom: 0.9 },
       { ...PRINT, subject: 'bunny', view: [0, 0.1, 1], light: [-1, 1, 0.3], material: { crossAngle: Math.PI / 2 } },
     ].map((picture) => ({ ...picture, width: 450, height: 450, pixelRatio: 1.3 })),

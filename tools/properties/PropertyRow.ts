@@ -1,4 +1,9 @@
-import type { HatchingCondition, HatchingMeasure, NumberRange } from '../../src/look/HatchingProperty.js';
+import type {
+  HatchingCondition,
+  HatchingMeasure,
+  NumberRange,
+  TechniqueFamily,
+} from '../../src/look/HatchingProperty.js';
 import type { StrokeStyleName } from '../../src/strokes/strokeStyleNames.js';
 
 /** A property of the material: one row of the table. What is left out does not apply. */
@@ -13,7 +18,7 @@ export type PropertyRow =
   | SwitchRow
   | CurveRow;
 
-export type PropertyGroup = 'Strokes' | 'Medium' | 'Tone' | 'Composition' | 'Surface' | 'Colour' | 'Checking';
+export type PropertyGroup = 'Strokes' | 'Dry media' | 'Tone' | 'Composition' | 'Surface' | 'Colour' | 'Checking';
 
 interface BaseRow {
   group: PropertyGroup;
@@ -30,8 +35,8 @@ export interface NumberRow extends BaseRow {
   kind: 'number';
   /** `null`: no number is asked for, and null may be set. `'auto'`: the material finds one, and `'auto'` may be set. */
   default: number | null | 'auto';
-  /** The default under a technique that has another. */
-  defaultFor?: Readonly<Record<string, number>>;
+  /** The default of families of techniques that have another. */
+  defaultFor?: Readonly<Partial<Record<TechniqueFamily, number>>>;
   /** The default as an expression, where digits would be obscure. */
   defaultSource?: string;
   measure: HatchingMeasure;
@@ -89,12 +94,10 @@ export interface ChoiceRow extends BaseRow {
   /** Every name and what it means; the order is the number the shader knows it by. */
   choices: Readonly<Record<string, string>>;
   default: string;
-  /** The default under each technique, where it depends on that; `'auto'` asks for it again. */
-  defaultFor?: Readonly<Record<string, string>>;
-  /** The choices that a technique knows, where these are not all; another one counts as the default. */
-  choicesFor?: Readonly<Record<string, readonly string[]>>;
-  /** `false` for the technique: it chooses the shaders themselves. */
-  isDefine?: false;
+  /** The default of families of techniques, where it depends on that; `'auto'` asks for it again. */
+  defaultFor?: Readonly<Partial<Record<TechniqueFamily, string>>>;
+  /** The choices that a family of techniques knows, where these are not all; another one counts as the default. */
+  choicesFor?: Readonly<Partial<Record<TechniqueFamily, readonly string[]>>>;
 }
 
 /** A switch: a define, so that changing it builds another program. */
@@ -107,6 +110,6 @@ export interface SwitchRow extends BaseRow {
 export interface CurveRow extends BaseRow {
   kind: 'curve';
   default: 'linear';
-  /** The default under a technique that has another. */
-  defaultFor?: Readonly<Record<string, 'printed'>>;
+  /** The default of families of techniques that have another. */
+  defaultFor?: Readonly<Partial<Record<TechniqueFamily, 'printed'>>>;
 }

@@ -1,7 +1,9 @@
-import type { HatchingCondition } from '../../src/look/HatchingProperty.js';
+import type { HatchingCondition, TechniqueFamily } from '../../src/look/HatchingProperty.js';
 import { describeRange } from '../../src/material/checkNumber.js';
 import { measureWords } from './measures.js';
+import { inFamilies } from './ofTechniques.js';
 import type { PropertyRow } from './PropertyRow.js';
+import { TECHNIQUES } from './techniques.js';
 
 /** A property in words, in parts that JSDoc and documentation put together each in their own way. */
 export interface PropertyDescription {
@@ -10,9 +12,9 @@ export interface PropertyDescription {
   default: string;
   /** Unit and range, as in `radians in (0, π]`; empty for what is no number. */
   measure: string;
-  /** The techniques, as in `'triangle'`, `'adjacency'`; empty for all. */
+  /** The techniques, as in `'triangle'`, `'adjacency'`, or all but a few; empty for all. */
   techniques: string;
-  /** The conditions on other properties, as in `medium: 'dry'`; empty without any. */
+  /** The conditions on other properties, as in `toneModel: 'toon'`; empty without any. */
   when: string;
   /** Whether another value may need another program. */
   isDefine: boolean;
@@ -23,10 +25,17 @@ export function describe(row: PropertyRow): PropertyDescription {
     sentence: row.sentence,
     default: describeDefault(row),
     measure: describeMeasure(row),
-    techniques: (row.techniques ?? []).map((name) => `\`'${name}'\``).join(', '),
+    techniques: row.techniques ? describeTechniques(row.techniques) : '',
     when: describeConditions(row.when ?? []),
     isDefine: row.kind === 'choice' || row.kind === 'switch' || row.kind === 'curve',
   };
+}
+
+/** Names of techniques; where most are meant, those that are not. */
+function describeTechniques(techniques: readonly string[]): string {
+  const others = Object.keys(TECHNIQUES).filter((name) => !techniques.includes(name));
+  const names = (some: readonly string[]): string => some.map((name) => inCode(name)).join(', ');
+  return others.length < 3 ? `all but ${names(others)}` : names(techniques);
 }
 
 function describeDefault(row: PropertyRow): string {
@@ -50,15 +59,21 @@ function describeDefault(row: PropertyRow): string {
   }
 }
 
-/** A default, and those that techniques have in its place. */
+/** A default, and those that families of techniques have in its place. */
 function withOthers<Value>(
   fallback: string,
-  others: Readonly<Record<string, Value>> = {},
+  others: Readonly<Partial<Record<TechniqueFamily, Value>>> = {},
   words: (value: Value) => string,
 ): string {
-  const named = Object.entries(others).map(([name, value]) => [name, words(value)] as const);
-  const different = named.filter(([, value]) => value !== fallback);
-  return [`\`${fallback}\``, ...different.map(([name, value]) => `for \`'${name}'\` \`${value}\``)].join(', ');
+  const named = (Object.entries(others) as [TechniqueFamily, Value][]).map(
+    ([name, value]) => [name, words(value)] as const,
+  );
+  const different = new Set(named.map(([, value]) => value).filter((value) => value !== fallback));
+  const parts = [...different].map((value) => {
+    const families = named.filter(([, other]) => other === value).map(([name]) => name);
+    return `for ${describeTechniques(inFamilies(...families))} \`${value}\``;
+  });
+  return [`\`${fallback}\``, ...parts].join(', ');
 }
 
 function describeMeasure(row: PropertyRow): string {

@@ -1,12 +1,19 @@
-import { TECHNIQUES, type TechniqueRow } from './techniques.js';
+import type { TechniqueFamily } from '../../src/look/HatchingProperty.js';
+import { TECHNIQUES, type TechniqueName, type TechniqueRow } from './techniques.js';
 
-type Techniques = keyof typeof TECHNIQUES;
+const ROWS = Object.entries<TechniqueRow>(TECHNIQUES) as [TechniqueName, TechniqueRow][];
 
 /** A fact of every technique, by its name. */
-export const ofTechniques = (read: (row: TechniqueRow) => string): Record<Techniques, string> =>
-  Object.fromEntries(Object.entries(TECHNIQUES).map(([name, row]) => [name, read(row)])) as Record<Techniques, string>;
+export const ofTechniques = <Value>(read: (row: TechniqueRow) => Value): Record<TechniqueName, Value> =>
+  Object.fromEntries(ROWS.map(([name, row]) => [name, read(row)])) as Record<TechniqueName, Value>;
+
+/** The techniques of some families. */
+export const inFamilies = (...families: readonly TechniqueFamily[]): TechniqueName[] =>
+  ROWS.flatMap(([name, { family }]) => (families.includes(family) ? [name] : []));
+
+export const PER_TRIANGLE = inFamilies('perTriangle');
+export const STROKES_FAMILY = inFamilies('strokes');
+export const LINES_FAMILY = inFamilies('lines');
 
 /** Techniques whose strokes come from a map. */
-export const WITH_MAP = Object.entries<TechniqueRow>(TECHNIQUES).flatMap(([name, { map }]) =>
-  map === 'none' ? [] : [name],
-);
+export const WITH_MAP = ROWS.flatMap(([name, { map }]) => (map === 'none' ? [] : [name]));

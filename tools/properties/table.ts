@@ -2,7 +2,7 @@ import type { PropertyRow } from './PropertyRow.js';
 import { CHECKING } from './rows/checking.js';
 import { COLOUR } from './rows/colour.js';
 import { COMPOSITION } from './rows/composition.js';
-import { MEDIUM } from './rows/medium.js';
+import { DRY_MEDIA } from './rows/dryMedia.js';
 import { STROKES } from './rows/strokes.js';
 import { SURFACE } from './rows/surface.js';
 import { TONE } from './rows/tone.js';
@@ -13,7 +13,7 @@ import { TONE } from './rows/tone.js';
  */
 export const PROPERTIES = {
   ...STROKES,
-  ...MEDIUM,
+  ...DRY_MEDIA,
   ...TONE,
   ...COMPOSITION,
   ...SURFACE,

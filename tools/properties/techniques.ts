@@ -1,47 +1,62 @@
-/** A way to lay strokes on a surface: one row, and a folder of chunks in shaders/techniques/ of the same name. */
+import type { TechniqueFamily } from '../../src/look/HatchingProperty.js';
+
+/** A way to draw a surface: one row. Its family has the shaders, in shaders/techniques. */
 export interface TechniqueRow {
   /** Its description for JSDoc and documentation, in Markdown. */
   sentence: string;
-  /** The attributes that it requires: the primitive of six vertices, or a normal at the scale of a stroke. */
-  vertexData: 'adjacency' | 'hatchNormal';
+  family: TechniqueFamily;
   /** The texture it reads, unless the material is crisp: that takes thresholds. */
   map: 'tonalArtMap' | 'thresholdMap' | 'none';
-  /** Whether strokes that are sized on the object alone have a program of their own, which is cheaper. */
-  hasProgramForObject: boolean;
-  /** The normal tone is computed from where none is asked for. */
-  toneNormal: 'face' | 'smooth';
 }
 
 export const TECHNIQUES = {
   triangle: {
     sentence:
       'Algorithm 1 alone. Every triangle has its own strokes; they break at its edges (paper by Suarez et al., figure 4a).',
-    vertexData: 'adjacency',
+    family: 'perTriangle',
     map: 'tonalArtMap',
-    hasProgramForObject: false,
-    toneNormal: 'face',
   },
   adjacency: {
     sentence: 'Algorithms 1 to 3. Every triangle blends in the strokes of its three neighbours (figure 4b).',
-    vertexData: 'adjacency',
+    family: 'perTriangle',
     map: 'tonalArtMap',
-    hasProgramForObject: false,
-    toneNormal: 'face',
   },
-  anchored: {
+  hatching: {
     sentence:
-      'goes beyond the paper by Suarez et al. Strokes are anchored to a lattice fixed on the object instead of to triangles, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh ([media.md](media.md#anchored-strokes)).',
-    vertexData: 'hatchNormal',
+      'strokes of a tonal art map in ink. They are anchored to a lattice fixed on the object, and ink is decided per pixel, after blending: continuous, crisp and independent of the mesh ([media.md](media.md#anchored-strokes)).',
+    family: 'strokes',
     map: 'thresholdMap',
-    hasProgramForObject: true,
-    toneNormal: 'smooth',
   },
-  engraved: {
+  dryMedia: {
     sentence:
-      'goes beyond it too. Lines are level sets of a function on the object: they never break, swell with the tone and cross in the darks, as in an engraved plate. Draws without a map ([engraved.md](engraved.md)).',
-    vertexData: 'hatchNormal',
+      'the same strokes in pencil, charcoal or chalk: a grey that grows with the pressure and catches on the grain of the paper, which lies on the screen ([media.md](media.md#pencil-charcoal-chalk)).',
+    family: 'strokes',
+    map: 'thresholdMap',
+  },
+  stipple: {
+    sentence:
+      'dots in the place of strokes, fixed on the surface and round on the screen. `strokeWidth` is the diameter of a dot at half tone; from a tone of 0.95 on they leave no paper. Draws without a map ([media.md](media.md#stipple)).',
+    family: 'strokes',
     map: 'none',
-    hasProgramForObject: false,
-    toneNormal: 'smooth',
+  },
+  engraving: {
+    sentence:
+      'lines that are level sets of a function on the object: they never break, swell with the tone and cross in the darks, as in an engraved plate. Draws without a map ([engraved.md](engraved.md)).',
+    family: 'lines',
+    map: 'none',
+  },
+  pen: {
+    sentence:
+      'the same lines in strokes of a pen, which begin and end thin, and are fewer in the lights ([engraved.md](media.md#pen)).',
+    family: 'lines',
+    map: 'none',
+  },
+  woodcut: {
+    sentence:
+      'the same lines cut white out of black: wedges that widen with the light and end in points ([engraved.md](media.md#woodcut)).',
+    family: 'lines',
+    map: 'none',
   },
 } as const satisfies Record<string, TechniqueRow>;
+
+export type TechniqueName = keyof typeof TECHNIQUES;

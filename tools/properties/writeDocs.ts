@@ -29,7 +29,7 @@ export function writePropertyDocs(page: string, table: Readonly<Record<string, P
 
 /** Whether only the techniques of the paper by Suarez et al. read a property. */
 const isOfPaper = ({ techniques }: PropertyRow): boolean =>
-  techniques?.every((name) => TECHNIQUES[name as keyof typeof TECHNIQUES].vertexData === 'adjacency') ?? false;
+  techniques?.every((name) => TECHNIQUES[name as keyof typeof TECHNIQUES].family === 'perTriangle') ?? false;
 
 function propertyTable(rows: readonly (readonly [string, PropertyRow])[]): string {
   const lines = ['| property | default | unit and range | counts for | meaning |', '| --- | --- | --- | --- | --- |'];

@@ -32,10 +32,7 @@ function defaults(): { readonly [Name in HatchingPropertyName]: (typeof HATCHING
 /** Facts of every technique. */
 export const HATCHING_TECHNIQUES = {
 ${Object.entries(techniques)
-  .map(
-    ([name, { vertexData, map, hasProgramForObject }]) =>
-      `${name}: { vertexData: '${vertexData}', map: '${map}', hasProgramForObject: ${hasProgramForObject} },`,
-  )
+  .map(([name, { family, map }]) => `${name}: { family: '${family}', map: '${map}' },`)
   .join('\n')}
 } as const satisfies Record<HatchingTechnique, HatchingTechniqueData>;
 `;
@@ -98,8 +95,7 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
   if (row.kind === 'texture' || ((row.kind === 'number' || row.kind === 'vector2') && row.uniform !== false))
     fields.push(`uniform: '${name}'`);
   if (row.kind === 'texture') fields.push(`transform: '${name}Transform'`);
-  if (row.kind === 'switch' || (row.kind === 'choice' && row.isDefine !== false))
-    fields.push(`define: '${constantCase(name)}'`);
+  if (row.kind === 'switch' || row.kind === 'choice') fields.push(`define: '${constantCase(name)}'`);
   if (row.kind === 'choice') {
     fields.push(`choices: ${list(Object.keys(row.choices))}`);
     if (row.choicesFor) fields.push(`choicesFor: ${JSON.stringify(row.choicesFor)}`);
@@ -109,8 +105,6 @@ function runtimeFields(name: string, row: PropertyRow): string[] {
     if (row.range) fields.push(`range: ${rangeSource(row.range)}`);
     if (row.isAuto) fields.push('isAuto: true');
   }
-  // Whether it needs its map the material itself asks.
-  if (row.kind === 'tonalArtMap') fields.push(`when: ${JSON.stringify(row.when)}`);
   if (row.techniques) fields.push(`techniques: ${list(row.techniques)}`);
   return fields;
 }
@@ -178,7 +172,10 @@ function jsDoc(row: PropertyRow): string {
   const words = [plain(sentence)];
   if (measure) words.push(`${measure.charAt(0).toUpperCase()}${measure.slice(1)}.`);
   words.push(`Default ${fallback}.`);
-  if (techniques || when) words.push(`Only ${[techniques, when && `with ${when}`].filter(Boolean).join(', ')}.`);
+  if (techniques || when) {
+    const only = techniques.startsWith('all but') ? 'For' : 'Only';
+    words.push(`${only} ${[techniques, when && `with ${when}`].filter(Boolean).join(', ')}.`);
+  }
   if (isDefine && row.kind !== 'curve') words.push('Another value builds another program.');
   return comment(wrapped(words.join(' ')));
 }

@@ -40,7 +40,7 @@ const REPEATED: Readonly<Record<string, Repeated>> = {
     await idle(page);
   },
   map: link('mapStyle', STYLES),
-  comparison: link('compare', ['triangle', 'none', 'engraved', 'adjacency']),
+  comparison: link('compare', ['triangle', 'none', 'engraving', 'adjacency']),
   file: async (page, i) => {
     const [name, content] = at(GOOD, i);
     await drop(page, [file(name, await content())]);

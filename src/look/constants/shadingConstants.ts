@@ -9,7 +9,7 @@ export const TONE_CONSTANTS = {
    */
   THIRD_FROM: 0.375,
   /**
-   * Shift of each layer against the one before, in tiles or, for `anchored`, in anchors. Arbitrary numbers that keep strokes of different
+   * Shift of each layer against the one before, in tiles or, for anchored strokes, in anchors. Arbitrary numbers that keep strokes of different
    * layers apart.
    */
   LAYER_SHIFT: [17.37, 5.71, 11.13],

@@ -1,5 +1,5 @@
 import { NoToneMapping } from 'three';
-import { formFieldOf, formOf, needsAdjacency, needsMap } from '../../look/queries.js';
+import { formOf, needsAdjacency, needsMap } from '../../look/queries.js';
 import { cornerLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
 import { deforms, hasFloatTargets, morphsEachInstance } from '../deformation/canDeform.js';
 import { describeObject } from '../diagnostics/describeObject.js';
@@ -103,7 +103,7 @@ function findSurfaceMistakes(draw: FirstDraw, note: NoteMistake): void {
   if (mistake) note(mistake, draw, geometry);
   else if (!geometry.attributes.normal && !geometry.attributes[hatchNormal.name]) note('noNormals', draw, geometry);
   const hasNoForm = formOf(material) === true && !isFormed(geometry) && !isFormExpected(geometry);
-  if (hasNoForm) note('noForm', draw, geometry, formFieldOf(material)!);
+  if (hasNoForm) note('noForm', draw, geometry);
   if (isStale(geometry))
     note(geometry.userData.hatching.layout === 'indexed' ? 'movedIndexed' : 'moved', draw, geometry);
   if (isOnScreen && material.toneMapped && renderer.toneMapping !== NoToneMapping) note('toneMapped', draw, renderer);

@@ -1,6 +1,6 @@
 const PREPARE = 'await prepareHatchingGeometry(geometry)';
 const PREPARE_ADJACENCY = 'await prepareHatchingGeometry(geometry, { adjacency: true })';
-const WITH_ADJACENCY = "Prepare it with { adjacency: true }, or use the technique 'anchored'.";
+const WITH_ADJACENCY = "Prepare it with { adjacency: true }, or use the technique 'hatching'.";
 const AT_REST = 'is lit and hatched in its rest pose:';
 
 /** A warning about a mesh, with further arguments. */
@@ -9,22 +9,22 @@ export type Sentence = (mesh: string, ...details: string[]) => string;
 /** The warning texts: what is wrong, and the remedy. docs/troubleshooting.md lists the same sentences. */
 export const SENTENCES = {
   noMap: (mesh: string) =>
-    `${mesh} is drawn without strokes, because its material has no tonalArtMap. Set one, for example TonalArtMap.draw(), or use the technique 'engraved'.`,
+    `${mesh} is drawn without strokes, because its material has no tonalArtMap. Set one, for example TonalArtMap.draw(), or use the technique 'engraving'.`,
   noNormals: (mesh: string) =>
     `${mesh} has no normals and cannot be lit. Call geometry.computeVertexNormals(), or draw the result of ${PREPARE} instead.`,
   noAdjacency: (mesh: string) =>
-    `${mesh} has no triangle adjacency and cannot be hatched. Draw the result of ${PREPARE_ADJACENCY} instead, or use the technique 'anchored'.`,
+    `${mesh} has no triangle adjacency and cannot be hatched. Draw the result of ${PREPARE_ADJACENCY} instead, or use the technique 'hatching'.`,
   noneAsked: (mesh: string) => `${mesh} was prepared without triangle adjacency. ${WITH_ADJACENCY}`,
   lostAdjacency: (mesh: string) =>
     `${mesh} has lost its triangle adjacency: that of the layout 'pull' is not kept when geometries are merged, exported or serialised. ${WITH_ADJACENCY}`,
   cornerAtRest: (mesh: string) =>
-    `${mesh} ${AT_REST} its layout 'corner' stores no other pose. Prepare it with the layout 'pull' or 'auto', or use the technique 'anchored'.`,
+    `${mesh} ${AT_REST} its layout 'corner' stores no other pose. Prepare it with the layout 'pull' or 'auto', or use the technique 'hatching'.`,
   deviceAtRest: (mesh: string) =>
-    `${mesh} ${AT_REST} this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'anchored', which does not need them.`,
+    `${mesh} ${AT_REST} this device cannot draw into float textures (EXT_color_buffer_float). Use the technique 'hatching', which does not need them.`,
   instancesAtRest: (mesh: string) =>
-    `${mesh} ${AT_REST} the instances of an InstancedMesh cannot have morph targets of their own. Use the technique 'anchored', or meshes.`,
-  noForm: (mesh: string, field: string) =>
-    `${mesh} is drawn with ${field} 'light', because it was prepared without form. Prepare it with { form: true }.`,
+    `${mesh} ${AT_REST} the instances of an InstancedMesh cannot have morph targets of their own. Use the technique 'hatching', or meshes.`,
+  noForm: (mesh: string) =>
+    `${mesh} is drawn with the direction 'light', because it was prepared without form. Prepare it with { form: true }.`,
   moved: (mesh: string) =>
     `the positions of ${mesh} have changed since it was prepared; its strokes and outlines have not. Move the mesh instead of the geometry, or vertices by bones or morph targets, which both follow, or change the geometry before prepareHatchingGeometry.`,
   movedIndexed: (mesh: string) =>

@@ -5,7 +5,7 @@ import { checkNames } from '../../worker/TaskOptions.js';
 /** Options of the form field, which lines follow; omitted options have their defaults. */
 export interface HatchingFormOptions {
   /**
-   * Whether the field is baked only for a shape that has a form, not for machine parts and other meshes of flat faces. `lineField` of
+   * Whether the field is baked only for a shape that has a form, not for machine parts and other meshes of flat faces. `direction` of
    * the `HatchingStatistics` tells the result. Default: false.
    */
   auto?: boolean | undefined;

@@ -6,7 +6,7 @@ import type { HatchingFormOptions } from './HatchingFormOptions.js';
 export interface PrepareHatchingGeometryOptions extends TaskOptions {
   /**
    * Whether to bake the neighbours of every triangle, which the techniques `triangle` and `adjacency` need; such a geometry can be
-   * drawn by every technique. Default: false, for `anchored` and `engraved`, which draw the source's own vertices.
+   * drawn by every technique. Default: false, for all other techniques, which draw the source's own vertices.
    */
   adjacency?: boolean | undefined;
   /** The technique that will draw the geometry, from which the need for adjacency follows. Default: `adjacency` decides. */
@@ -19,8 +19,8 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * - `'pull'`: the positions lie in a texture that a pre-pass can deform, and every corner reads all six from it: 32 bytes per
    * triangle and 16 per vertex. It works with every technique and with meshes that deform, and draws the same pixels as
    * `'corner'`.
-   * - `'indexed'`: the source geometry, with eight more bytes per vertex. It works only with `anchored` and `engraved`, which
-   * need no adjacency.
+   * - `'indexed'`: the source geometry, with eight more bytes per vertex. It works with all techniques but `triangle` and `adjacency`,
+   * which need adjacency.
    * - `'auto'`: `'pull'` for a geometry with a skin, with morph targets of position or normal, or with more than
    * 200,000 triangles, where the upload of all corners would block the page for some hundred milliseconds; otherwise
    * `'corner'`.
@@ -51,8 +51,8 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    */
   outlines?: boolean | OutlineOptions | undefined;
   /**
-   * Bakes the form field: the functions whose level sets are the lines of `lineField: 'form'` and `'acrossForm'`, and that
-   * `strokeField` lays strokes along, in 24 bytes per vertex; a few vertices are copied. It takes several times as long as all the
+   * Bakes the form field: the functions whose level sets are lines with the direction `'form'` or `'acrossForm'`, and
+   * that strokes are laid along, in 24 bytes per vertex; a few vertices are copied. It takes several times as long as all the
    * rest, in the worker. Pass `true`, `'auto'` for shapes that have a form only (and not for meshes of flat faces), or options.
    * Default: false; `applyHatching` bakes them if a material needs them.
    */

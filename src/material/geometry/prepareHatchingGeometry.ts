@@ -1,5 +1,6 @@
 import { BufferGeometry, InstancedBufferGeometry } from 'three';
 import { HATCHING_TECHNIQUES } from '../../look/hatchingProperties.js';
+import { needsAdjacency } from '../../look/queries.js';
 import type { BakeRequest } from '../../mesh/bake/bakeCorners.js';
 import type { OutlineRequest } from '../../mesh/bake/bakeOutlines.js';
 import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
@@ -201,7 +202,7 @@ function chooseLayout(
 }
 
 const wantsAdjacency = ({ adjacency = false, technique }: PrepareHatchingGeometryOptions): boolean =>
-  adjacency || (technique !== undefined && HATCHING_TECHNIQUES[technique].vertexData === 'adjacency');
+  adjacency || (technique !== undefined && needsAdjacency({ technique }));
 
 function checkValues(options: PrepareHatchingGeometryOptions, creaseAngle: number): void {
   const { adjacency = false, technique, layout = 'auto', smoothingRadius, weldTolerance, outlines } = options;

@@ -14,8 +14,8 @@ export interface HatchingStatistics extends EdgeCounts, Repairs {
   triangles: number;
   /** The vertex layout. */
   layout: 'corner' | 'pull' | 'indexed';
-  /** The field of engraved lines with `lineField: 'auto'`: the form if the geometry was prepared for it, otherwise the light. */
-  lineField: 'form' | 'light';
+  /** What lines with `direction: 'auto'` follow: the form if the geometry was prepared for it, otherwise the light. */
+  direction: 'form' | 'light';
   /** The size of all vertex, index, morph and texture data of the prepared geometry, in bytes. */
   bytes: number;
 }
@@ -50,7 +50,7 @@ export function finishGeometry(
     computedNormals,
     zeroedValues,
     layout,
-    lineField: isFormed(geometry) ? 'form' : 'light',
+    direction: isFormed(geometry) ? 'form' : 'light',
     bytes: bytesOf(geometry) + textureBytes + (outlines?.bytes ?? 0),
   };
   geometry.userData.hatching = statistics;

@@ -6,7 +6,7 @@ import type { ShaderFiles } from '../shaders/hatchingShaders.js';
 import type { MeshUniforms } from '../three/MeshUniforms.js';
 
 /**
- * The shader files and code of a technique or a medium, beyond what every material has. Each part is fetched when a material first
+ * The shader files and code of a technique, beyond what every material has. Each part is fetched when a material first
  * needs it.
  */
 export interface MaterialPart {

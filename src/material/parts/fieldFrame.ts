@@ -33,7 +33,7 @@ const ofObject = /* @__PURE__ */ newFrame();
 const frames = /* @__PURE__ */ new WeakMap<readonly number[], FieldFrame>();
 
 /**
- * Writes the origin and the frame of the lines of `engraved` on a mesh: the frame that `applyHatching` gave to the whole scene, or else
+ * Writes the origin and the frame of the lines on a mesh: the frame that `applyHatching` gave to the whole scene, or else
  * that of the object, with the centre of its bounding sphere as origin. Allocates nothing for a frame that is cached.
  *
  * @param tilesPerObjectUnit tiles per unit of object space

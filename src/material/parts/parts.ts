@@ -1,14 +1,15 @@
 import type { Camera, IUniform, Scene, WebGLRenderer } from 'three';
-import { HATCHING_TECHNIQUES, type HatchingTechnique, type Medium } from '../../look/hatchingProperties.js';
+import type { HatchingTechnique } from '../../look/hatchingProperties.js';
+import { familyOf } from '../../look/presetParameters.js';
 import { isFitted, writeFit } from '../exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { MaterialPart } from './MaterialPart.js';
 
-/** The import of each part. Anchored strokes of ink, the default, need none. */
+/** The import of each part. The technique `hatching`, the default, needs none. */
 const FETCH = {
-  dry: () => import('./dry.js'),
+  dryMedia: () => import('./dryMedia.js'),
   stipple: () => import('./stipple.js'),
-  engraved: () => import('./engraved.js'),
+  lines: () => import('./lines.js'),
   perTriangle: () => import('./perTriangle.js'),
   exposure: () => import('./exposure.js'),
 };
@@ -16,9 +17,9 @@ const FETCH = {
 export type PartName = keyof typeof FETCH;
 
 const NAMES: Readonly<Record<PartName, string>> = {
-  dry: 'the medium "dry"',
-  stipple: 'the medium "stipple"',
-  engraved: 'the technique "engraved"',
+  dryMedia: 'the technique "dryMedia"',
+  stipple: 'the technique "stipple"',
+  lines: 'the techniques "engraving", "pen" and "woodcut"',
   perTriangle: 'the techniques "triangle" and "adjacency"',
   exposure: 'at the exposure "auto"',
 };
@@ -26,23 +27,22 @@ const NAMES: Readonly<Record<PartName, string>> = {
 const fetched = /* @__PURE__ */ new Map<PartName, MaterialPart>();
 const fetching = /* @__PURE__ */ new Map<PartName, Promise<MaterialPart>>();
 
-/** The part that a technique, and with `anchored` the medium, needs; null if none. */
-export function partNameOf(technique: HatchingTechnique, medium: Medium): PartName | null {
-  if (HATCHING_TECHNIQUES[technique].vertexData === 'adjacency') return 'perTriangle';
-  if (technique === 'engraved') return technique;
-  return medium === 'dry' || medium === 'stipple' ? medium : null;
+/** The part that a technique needs; null if none. */
+export function partNameOf(technique: HatchingTechnique): PartName | null {
+  if (technique === 'dryMedia' || technique === 'stipple') return technique;
+  const family = familyOf(technique);
+  return family === 'strokes' ? null : family;
 }
 
 /** The properties that decide which parts a material needs. */
 export interface LookOfParts {
   readonly technique: HatchingTechnique;
-  readonly medium: Medium;
   readonly exposure: number | 'auto';
 }
 
 /** All parts that a look needs. */
-const partNamesOf = ({ technique, medium, exposure }: LookOfParts): PartName[] =>
-  [partNameOf(technique, medium), exposure === 'auto' ? ('exposure' as const) : null].filter((name) => name !== null);
+const partNamesOf = ({ technique, exposure }: LookOfParts): PartName[] =>
+  [partNameOf(technique), exposure === 'auto' ? ('exposure' as const) : null].filter((name) => name !== null);
 
 /** A part that has loaded; undefined if it has not. */
 export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched.get(name);
@@ -105,8 +105,8 @@ export class PartInUse {
    *
    * @returns whether it has loaded; if not, the previous part stays in use
    */
-  take({ technique, medium }: { technique: HatchingTechnique; medium: Medium }): boolean {
-    const name = partNameOf(technique, medium);
+  take({ technique }: { technique: HatchingTechnique }): boolean {
+    const name = partNameOf(technique);
     const part = name && fetchedPart(name);
     if (part !== undefined) this.part = part;
     else if (this.awaited !== name) this.await(name!);

@@ -4,16 +4,16 @@ import { STIPPLE_MAP_SIZE } from '../tam/patternSizes.js';
 import { stippleMap } from '../tam/stippleMap.js';
 import type { MaterialPart } from './MaterialPart.js';
 
-/** The medium `stipple`. */
+/** The technique `stipple`. */
 export const part: MaterialPart = {
   files: {
-    ...import.meta.glob<string>(['./techniques/anchored/{stipple,dots}.glsl', './perFragment/screenGradient.glsl'], {
+    ...import.meta.glob<string>(['./techniques/strokes/{stipple,dots}.glsl', './perFragment/screenGradient.glsl'], {
       base: '../../../shaders',
       query: '?raw',
       import: 'default',
       eager: true,
     }),
-    './techniques/anchored/constants.glsl': [
+    './techniques/strokes/constants.glsl': [
       definesOf({ ...STIPPLE_CONSTANTS, ...SCREEN_CONSTANTS }),
       definesOf({ STIPPLE_MAP_SIZE }, ''),
     ].join('\n'),

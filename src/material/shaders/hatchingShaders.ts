@@ -1,6 +1,6 @@
 import { ShaderLib } from 'three';
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
-import { needsAdjacency } from '../../look/queries.js';
+import { familyOf } from '../../look/presetParameters.js';
 import { packingChunk } from '../three/chunks.js';
 import { environmentLayout } from '../three/environments.js';
 import { lightChunks, shadowChunks } from '../three/lightKinds.js';
@@ -22,36 +22,45 @@ const files: ShaderFiles = import.meta.glob(
   [
     './{hatching,plain}.*',
     './{chunks,environment,shadowMaps}/*',
-    '!./chunks/{dryMedium,tooth,lineCoverage,meanLight}.glsl',
+    '!./chunks/{dryMedia,tooth,lineCoverage,meanLight}.glsl',
     './perFragment/*',
     '!./perFragment/screenGradient.glsl',
-    './techniques/anchored/*',
-    '!./techniques/anchored/{stipple,dots}.glsl',
+    './techniques/strokes/*',
+    '!./techniques/strokes/{stipple,dots}.glsl',
   ],
   { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
 );
 
-/** Chunks of media, included by name, that are empty with other media. */
-const ABSENT: Readonly<Record<string, string>> = { dryMedium: '', 'technique/stipple': '' };
+/** Chunks of techniques, included by name, that are empty with others. */
+const ABSENT: Readonly<Record<string, string>> = { dryMedia: '', 'technique/stipple': '' };
 
 // Shaders are resolved on first use, so that a page that never hatches does no work, and a bundler may leave this out.
-const made = new Map<ShaderFiles, Partial<Record<HatchingTechnique, Shaders>>>();
+const made = new Map<ShaderFiles, Partial<Record<TechniqueFolder, Shaders>>>();
 const NONE: ShaderFiles = {};
 
 /**
  * The shaders of a technique.
  *
- * @param further the files of the part that the technique or the medium needs
+ * @param further the files of the part that the technique needs
  */
 export function hatchingShaders(technique: HatchingTechnique, further = NONE): Shaders {
+  const folder = folderOf(technique);
   const known = made.get(further) ?? {};
   made.set(further, known);
-  known[technique] ??= shadersOf(technique, { ...files, ...further });
-  return known[technique];
+  known[folder] ??= shadersOf(folder, { ...files, ...further });
+  return known[folder];
 }
 
-function shadersOf(technique: HatchingTechnique, all: ShaderFiles): Shaders {
-  const chunks = { ...ABSENT, ...sharedChunks(), ...namedChunks(all, technique) };
+/** A folder of shaders/techniques: that of a family, or of one of the two techniques per triangle. */
+type TechniqueFolder = ReturnType<typeof folderOf>;
+
+function folderOf(technique: HatchingTechnique) {
+  const family = familyOf(technique);
+  return family === 'perTriangle' ? (technique as 'triangle' | 'adjacency') : family;
+}
+
+function shadersOf(folder: TechniqueFolder, all: ShaderFiles): Shaders {
+  const chunks = { ...ABSENT, ...sharedChunks(), ...namedChunks(all, folder) };
   chunks['environment/layout'] = chunks[`environment/${environmentLayout() ?? 'cube'}`];
   return {
     vertexShader: resolveIncludes(chunks['hatching.vert'], chunks),
@@ -78,15 +87,15 @@ const sharedChunks = (): Record<string, string> => ({
 });
 
 /**
- * Chunks by the names they are included by: `tone` for chunks/tone.glsl, `technique/read` for techniques/<technique>/read.glsl. A technique
- * that lacks a file has that of all techniques per triangle or per fragment, which come before it in the alphabet.
+ * Chunks by the names they are included by: `tone` for chunks/tone.glsl, `technique/read` for techniques/<folder>/read.glsl. A folder that
+ * lacks a file has that of all techniques per triangle or per fragment, which come before it in the alphabet.
  */
-function namedChunks(files: ShaderFiles, technique: HatchingTechnique): Record<string, string> {
-  const common = needsAdjacency({ technique }) ? 'perTriangle' : 'perFragment';
+function namedChunks(files: ShaderFiles, folder: TechniqueFolder): Record<string, string> {
+  const common = folder === 'strokes' || folder === 'lines' ? 'perFragment' : 'perTriangle';
   const named: Record<string, string> = {};
   for (const [path, text] of Object.entries(files)) {
     const name = path.slice(2).replace('chunks/', '').replace('.glsl', '');
-    named[name] = named[name.replace(common, 'technique').replace(`techniques/${technique}`, 'technique')] = text;
+    named[name] = named[name.replace(common, 'technique').replace(`techniques/${folder}`, 'technique')] = text;
   }
   return named;
 }

@@ -21,7 +21,7 @@ const numbered = (prefix: string, names: readonly string[]) =>
 export const conventionsChunk = (): string =>
   [
     ...Object.values<HatchingProperty>(HATCHING_PROPERTIES).flatMap((property) =>
-      property.kind === 'choice' && property.define ? numbered(property.define, property.choices) : [],
+      property.kind === 'choice' ? numbered(property.define, property.choices) : [],
     ),
     ...numbered('TONE_CURVE', TONE_CURVES),
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),

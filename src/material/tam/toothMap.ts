@@ -9,7 +9,7 @@ let tooth: DataTexture | undefined;
 
 /**
  * The tooth of the paper: normally distributed noise, with −3 to 3 standard deviations as 0 to 1 in red. Values are low on the bumps
- * of the paper, which take the medium first. The texture tiles. The first call makes it in a few milliseconds; it is shared and never
+ * of the paper, which take pencil and chalk first. The texture tiles. The first call makes it in a few milliseconds; it is shared and never
  * disposed of.
  */
 export function toothMap(): DataTexture {

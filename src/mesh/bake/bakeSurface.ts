@@ -43,7 +43,7 @@ export interface SurfaceRequest {
 
 /** Options of the bake of a form field. Plain data: it is posted to the worker. */
 export interface FormRequest extends FormOptions {
-  /** Whether the field is baked only for shapes that have a form (`chooseLineField`). */
+  /** Whether the field is baked only for shapes that have a form (`chooseDirection`). */
   isChosen: boolean;
 }
 

@@ -36,7 +36,7 @@ export function* bakeForm(
   return yield* asPhase(fieldOn(surface, options), 0.3, 1);
 }
 
-/** Like `bakeForm`, but returns null for a shape of flat faces, which has no form (`chooseLineField`). */
+/** Like `bakeForm`, but returns null for a shape of flat faces, which has no form (`chooseDirection`). */
 export function* bakeChosenForm(
   mesh: TriangleMesh,
   adjacency: Pick<TriangleAdjacency, 'canonicalCorners' | 'areaNormals'>,
@@ -46,8 +46,8 @@ export function* bakeChosenForm(
 ): Generator<number, FormField | null, void> {
   const surface = yield* asPhase(formSurface(mesh, adjacency, twins, radius, options), 0, 0.3);
   release(twins);
-  const { lineField } = yield* asPhase(chooseLineField(surface), 0.3, 0.31);
-  return lineField === 'form' ? yield* asPhase(fieldOn(surface, options), 0.31, 1) : null;
+  const { direction } = yield* asPhase(chooseDirection(surface), 0.3, 0.31);
+  return direction === 'form' ? yield* asPhase(fieldOn(surface, options), 0.31, 1) : null;
 }
 
 /** The field on a prepared surface, whose arrays are freed one by one as soon as they are no longer needed. */
@@ -96,9 +96,9 @@ function* combedPhase(
   return { relations, phase: yield* asPhase(solvePhase(surface, seam, relations, levels, source), 0.3, 1) };
 }
 
-/** The field chosen for `lineField: 'auto'`, and the measure behind it. */
-interface LineFieldChoice {
-  lineField: 'form' | 'light';
+/** The field chosen for `direction: 'auto'`, and the measure behind it. */
+interface DirectionChoice {
+  direction: 'form' | 'light';
   /** The share of the surface that is flat, from 0 to 1. */
   flatShare: number;
 }
@@ -116,11 +116,11 @@ const FLAT_FACED_SHARE = 0.4;
  * Chooses between lines that follow the form, for organic shapes, and lines that follow the light, for machine parts and other meshes of
  * flat faces, which have no form. The measure is the share of the area that is flat between the creases.
  */
-export function* chooseLineField({
+export function* chooseDirection({
   masses,
   tensors,
   radius,
-}: Pick<FormSurface, 'masses' | 'tensors' | 'radius'>): Generator<number, LineFieldChoice, void> {
+}: Pick<FormSurface, 'masses' | 'tensors' | 'radius'>): Generator<number, DirectionChoice, void> {
   const limit = (FLAT_CURVATURE / radius) ** 2;
   let area = 0;
   let flat = 0;
@@ -129,7 +129,7 @@ export function* chooseLineField({
     flat += flatArea(masses, tensors, limit, start, end);
   });
   const flatShare = area > 0 ? flat / area : 1;
-  return { lineField: flatShare < FLAT_FACED_SHARE ? 'form' : 'light', flatShare };
+  return { direction: flatShare < FLAT_FACED_SHARE ? 'form' : 'light', flatShare };
 }
 
 /** The area of those of a range of fans whose curvature has a square below `limit`. */

@@ -12,7 +12,7 @@ import { rendererName } from '../viewport/graphicsCard.js';
 export function factsOf({ viewport, settings, modelLoader }: Session): string {
   const { canvas, context, view, model } = viewport;
   const meshes = model ? meshesOf(model.root) : [];
-  const formed = meshes.filter(({ geometry }) => geometry.userData.hatching?.lineField === 'form');
+  const formed = meshes.filter(({ geometry }) => geometry.userData.hatching?.direction === 'form');
   return describeFacts({
     versions: { hatching: version, three: REVISION },
     browser: navigator.userAgent,

@@ -15,7 +15,7 @@ export class MapLoader {
   hand: OwnHand | undefined;
   /** Scale of the present map: above 1 for a small preview, whose strokes then have their final size. */
   tileScale = 1;
-  /** Fetched with the first map, because engraved lines and dots need none. */
+  /** Fetched with the first map, because lines and dots need none. */
   private cache: TonalArtMapCache | undefined;
   /** The settings of the present map. */
   private shown: MapSettings | undefined;

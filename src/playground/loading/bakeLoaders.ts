@@ -21,7 +21,7 @@ interface FormWay extends Pick<Settings, 'upAxis' | 'crossAngle'> {
 
 /**
  * Bakes form lines and triangle adjacency into the model's geometries when the settings need them. Until then, lines follow the light, and
- * techniques with adjacency are drawn as `anchored`.
+ * techniques with adjacency are drawn as `hatching`.
  */
 export class GeometryLoader {
   /** The model that was baked last, and for what, even if that failed or was cancelled. */

@@ -61,7 +61,7 @@ export interface Hand {
 }
 
 /** The sizes of lines and outlines that a hand is scaled to. */
-export interface EngravedHandOptions {
+export interface HandLinesOptions {
   /** The `lineSpacing` of the material. Default 4.5. */
   lineSpacing?: number | undefined;
   /** The `outlineWidth` of the outlines, in CSS pixels. Default 1.8. */
@@ -69,8 +69,8 @@ export interface EngravedHandOptions {
 }
 
 /** Properties of materials and outlines. */
-export interface EngravedHand {
-  /** Properties of a `HatchingMaterial` with `technique: 'engraved'`. */
+export interface HandLines {
+  /** Properties of a `HatchingMaterial` with `technique: 'pen'`. */
   material: { irregularity: number; strokeLength: number; crossFrom: number; crossAngle?: number };
   /** Properties of outlines. */
   outlines: { taper: number; accents: number; wobble: number };
@@ -98,21 +98,21 @@ const MOST_OUTLINE_WOBBLE = 2;
 const clamp = (value: number, from: number, to: number): number => Math.max(from, Math.min(to, value));
 
 /**
- * The properties that make `engraved` lines and outlines, which are not drawn from a map, match a hand: unsteadiness, length of strokes,
+ * The properties that make lines and outlines, which are not drawn from a map, match a hand: unsteadiness, length of strokes,
  * tone and angle of crossing, and the taper, pressure and wobble of outlines.
  *
  * ```ts
- * const { material, outlines } = engravedHand(hand);
- * applyHatching(scene, { material: { technique: 'engraved', ...material }, outlines });
+ * const { material, outlines } = handLines(hand);
+ * applyHatching(scene, { material: { technique: 'pen', ...material }, outlines });
  * ```
  *
  * @throws TypeError or RangeError with the fault of the hand
  */
-export function engravedHand(
+export function handLines(
   hand: Pick<Hand, 'numbers'>,
-  { lineSpacing = 4.5, outlineWidth = 1.8 }: EngravedHandOptions = {},
-): EngravedHand {
-  checkHandNumbers('engravedHand', hand);
+  { lineSpacing = 4.5, outlineWidth = 1.8 }: HandLinesOptions = {},
+): HandLines {
+  checkHandNumbers('handLines', hand);
   const { numbers } = hand;
   const { width, widthSpread, wobble, spacing, spacingSpread, length, taperStart, taperEnd } = numbers;
   const shares = [

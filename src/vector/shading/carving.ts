@@ -1,8 +1,8 @@
 /**
- * White lines cut out of a black block, as in shaders/techniques/engraved/carving.glsl. A gouge enters at a point, widens and leaves again:
+ * White lines cut out of a black block, as in shaders/techniques/lines/carving.glsl. A gouge enters at a point, widens and leaves again:
  * each line is a row of wedges. The black between them ends in points too.
  */
-import { CARVING_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { CARVING_CONSTANTS } from '../../look/constants/lineConstants.js';
 import { clamp01, mix } from '../../look/vectors.js';
 import { turnOf } from './hand.js';
 import { octaves } from './ruledLines.js';

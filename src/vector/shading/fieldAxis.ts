@@ -1,9 +1,9 @@
 /**
  * The function whose level sets are lines, and one light for a whole object, so that lines run on, as in fieldAxis.glsl and lightField.glsl
- * of shaders/techniques/engraved.
+ * of shaders/techniques/lines.
  */
-import { FIELD_CONSTANTS } from '../../look/constants/engravedConstants.js';
-import { combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
+import { FIELD_CONSTANTS } from '../../look/constants/lineConstants.js';
+import { axisAngle, combined, cross, dot, lengthOf, normalize, type Vec3 } from '../../look/vectors.js';
 
 /** The distance along an axis, or from a lamp. */
 export interface Field {
@@ -13,8 +13,8 @@ export interface Field {
   bend: number;
 }
 
-/** The fields that lines may be cut by. */
-export type CutField = 'light' | 'towards' | 'x' | 'y' | 'z' | 'slant';
+/** The directions of lines that a field cuts. */
+export type CutDirection = 'light' | 'towardsLight' | 'x' | 'y' | 'z' | 'slant';
 
 const { SLANT, UPRIGHT } = FIELD_CONSTANTS;
 
@@ -32,13 +32,14 @@ export const across = (axis: Vec3): Vec3 => normalize(cross(axis, Math.abs(axis[
  * The field of the first family.
  *
  * @param light a result of `fieldLight`
- * @param rotation of strokes from the tangent to the light, radians
+ * @param angle by which lines are turned, counterclockwise, radians
  */
-export function firstField(lineField: CutField, { axis, bend }: Field, rotation: number): Field {
-  const [cosine, sine] = [Math.cos(rotation), Math.sin(rotation)];
-  if (lineField === 'light') return { axis: combined(cosine, axis, sine, across(axis)), bend: cosine * bend };
-  if (lineField === 'towards') return { axis: combined(cosine, across(axis), -sine, axis), bend: -sine * bend };
-  return { axis: AXES[lineField], bend: 0 };
+export function firstField(direction: CutDirection, { axis, bend }: Field, angle: number): Field {
+  const turn = axisAngle(angle);
+  const [cosine, sine] = [Math.cos(turn), Math.sin(turn)];
+  if (direction === 'light') return { axis: combined(cosine, axis, sine, across(axis)), bend: cosine * bend };
+  if (direction === 'towardsLight') return { axis: combined(cosine, across(axis), -sine, axis), bend: -sine * bend };
+  return { axis: AXES[direction], bend: 0 };
 }
 
 /** The value of a field at a point, 0 at the origin, and its gradient there, unit. The point is in field space, tiles. */

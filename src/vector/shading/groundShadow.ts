@@ -1,6 +1,6 @@
 /** A ground that shows shadows alone, as in tone.glsl, ruledLines.glsl and fieldAxis.glsl. */
 
-import { FIELD_CONSTANTS, GROUND_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { FIELD_CONSTANTS, GROUND_CONSTANTS } from '../../look/constants/lineConstants.js';
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { combined, cross, lengthOf, type Vec3 } from '../../look/vectors.js';
 import { across, type Field } from './fieldAxis.js';

@@ -1,5 +1,5 @@
-/** The unsteadiness of a hand, fixed to the object, as in shaders/techniques/engraved/hand.glsl. */
-import { HAND_CONSTANTS } from '../../look/constants/engravedConstants.js';
+/** The unsteadiness of a hand, fixed to the object, as in shaders/techniques/lines/hand.glsl. */
+import { HAND_CONSTANTS } from '../../look/constants/lineConstants.js';
 import { HASH_FACTORS } from '../../look/constants/patternConstants.js';
 import type { Vec3 } from '../../look/vectors.js';
 

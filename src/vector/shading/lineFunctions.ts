@@ -2,7 +2,7 @@
  * The functions of families of lines at a place: cut by a field, as in readCut.glsl, or along the form, level sets of two baked functions,
  * as in readForm.glsl.
  */
-import { FIELD_CONSTANTS, FORM_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { FIELD_CONSTANTS, FORM_CONSTANTS } from '../../look/constants/lineConstants.js';
 import { combined, cross, dot, lengthOf, smoothstep, type Vec3 } from '../../look/vectors.js';
 import { across, type Field, fieldAt } from './fieldAxis.js';
 import { handPoint, handPressure, slowWaves } from './hand.js';

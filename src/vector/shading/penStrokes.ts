@@ -1,9 +1,9 @@
 /**
- * Lines drawn in strokes of a pen, as in shaders/techniques/engraved/penStrokes.glsl. Each stroke begins thin, swells and tapers off. Light
+ * Lines drawn in strokes of a pen, as in shaders/techniques/lines/penStrokes.glsl. Each stroke begins thin, swells and tapers off. Light
  * tones have fewer strokes, of the width of the nib.
  */
 
-import { PEN_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { PEN_CONSTANTS } from '../../look/constants/lineConstants.js';
 import { HASH_FACTORS } from '../../look/constants/patternConstants.js';
 import { clamp01, mix } from '../../look/vectors.js';
 import { bitsOf, hash01, turnOf } from './hand.js';

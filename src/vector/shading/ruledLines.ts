@@ -1,9 +1,9 @@
 /**
- * One family of lines, as in shaders/techniques/engraved/ruledLines.glsl: level sets of a function at equal distances, whose width is the
+ * One family of lines, as in shaders/techniques/lines/ruledLines.glsl: level sets of a function at equal distances, whose width is the
  * tone. A fragment searches for lines near it; here the room of a given line is computed.
  */
 
-import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../../look/constants/lineConstants.js';
 
 const { SPARSEST_SLOPE } = FIELD_CONSTANTS;
 const { LEAST_OF_SMOOTH, MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;

@@ -1,4 +1,4 @@
-/** Dots that are fixed on the surface and round on the screen, as in shaders/techniques/anchored/stipple.glsl and dots.glsl. */
+/** Dots that are fixed on the surface and round on the screen, as in shaders/techniques/strokes/stipple.glsl and dots.glsl. */
 
 import { STIPPLE_CONSTANTS } from '../../look/constants/patternConstants.js';
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';

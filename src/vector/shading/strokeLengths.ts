@@ -1,8 +1,8 @@
 /**
- * The strokes that the lines of a family are drawn in, as in shaders/techniques/engraved/strokeLengths.glsl. They begin and end at fixed
+ * The strokes that the lines of a family are drawn in, as in shaders/techniques/lines/strokeLengths.glsl. They begin and end at fixed
  * places on the object, a power of two apart: as the camera comes nearer, strokes split into halves.
  */
-import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../look/constants/engravedConstants.js';
+import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../look/constants/lineConstants.js';
 import { cross, dot, mix, smoothstep, type Vec3 } from '../../look/vectors.js';
 import { octaves, powerOf2 } from './ruledLines.js';
 import { type ScreenMap, screenGradient } from './screenGradient.js';

@@ -57,7 +57,7 @@ export interface SVGDrawing {
  * paths. It needs neither a renderer nor a page, and gives the same bytes with and without them. The scene is read in slices, and drawn in
  * a worker, or in slices without one.
  *
- * It draws meshes with a `HatchingMaterial` of the technique `engraved`, or of `anchored` in the medium `stipple`, and `HatchingOutlines`.
+ * It draws meshes with a `HatchingMaterial` of the techniques `engraving`, `pen`, `woodcut` and `stipple`, and `HatchingOutlines`.
  * What cannot be drawn as lines is listed in `leftOut`.
  *
  *     await applyHatching(scene, 'engraving');

@@ -1,4 +1,5 @@
 import { LessDepth, LessEqualDepth, type Material, type Mesh, type Object3D } from 'three';
+import { drawsLines } from '../../look/queries.js';
 import { describeObject } from '../../material/diagnostics/describeObject.js';
 import { checkGeometry } from '../../material/geometry/checkGeometry.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
@@ -31,7 +32,7 @@ export function faultOf({ geometry }: Mesh): string | undefined {
 export function whyNoLines(mesh: Mesh, material: Material): string | undefined {
   if (!('isHatchingMaterial' in material)) return 'has no lines: its material is no HatchingMaterial';
   const { technique } = material as HatchingMaterial;
-  if (technique !== 'engraved' && !isStippled(material as HatchingMaterial))
+  if (!drawsLines(technique) && technique !== 'stipple')
     return `has no lines: strokes of the technique '${technique}' are drawn from images`;
   if (!mesh.geometry.attributes.normal) return 'has no lines: its geometry has no normals';
   return undefined;
@@ -46,8 +47,7 @@ export function untestedBy({ depthTest, depthFunc, stencilWrite }: Material): st
 }
 
 /** Whether a surface is drawn in dots. */
-export const isStippled = ({ technique, medium }: HatchingMaterial): boolean =>
-  technique === 'anchored' && medium === 'stipple';
+export const isStippled = ({ technique }: HatchingMaterial): boolean => technique === 'stipple';
 
 /** What a surface with lines is drawn without. lights: number of lights with a direction. */
 export function drawnWithout(material: HatchingMaterial, lights: number): string[] {

@@ -23,11 +23,11 @@ const MOST_TURNING = 3;
 
 /** The field of the first family of lines on a surface; null for lines that follow the form. */
 export function fieldOf({ engraved, material, frame, surface }: LaidSurface, lamps: readonly Lamp[]): Field | null {
-  const { lineField } = engraved;
-  if (followsForm(lineField)) return null;
+  const { direction } = engraved;
+  if (followsForm(direction)) return null;
   const light = fieldLight(lampsIn(frame, lamps));
   if (runsAway(material)) return awayField(light.axis, leaningOf(surface));
-  return firstField(lineField, light, material.strokeAngle);
+  return firstField(direction, light, material.strokeAngle);
 }
 
 /** The sum of the normals' absolute components along each axis of the field. */
@@ -52,10 +52,10 @@ function lampsIn({ restToWorld, fieldOrigin, toField }: SurfaceFrame, lamps: rea
 }
 
 /** Whether lines turn in shadows on a surface. */
-const turns = ({ engraved: { lineField }, material }: LaidSurface): boolean =>
+const turns = ({ engraved: { direction }, material }: LaidSurface): boolean =>
   material.shadowStrokes === 'reorient' &&
   !runsAway(material) &&
-  (followsForm(lineField) || lineField === 'light' || lineField === 'towards');
+  (followsForm(direction) || direction === 'light' || direction === 'towardsLight');
 
 /** Whether the shadows of more lights would turn lines than are supported. */
 export const hasTooManyTurns = (laid: LaidSurface, lamps: readonly Lamp[]): boolean =>
@@ -69,21 +69,21 @@ export function turnedLinesOf(laid: LaidSurface, lamps: readonly Lamp[]): Turned
   const casting = lamps.flatMap(({ castsShadow }, i) => (castsShadow ? [i] : []));
   if (!turns(laid) || casting.length > MOST_TURNING) return [];
   const { engraved, material, frame } = laid;
-  const { lineField } = engraved;
+  const { direction } = engraved;
   const isAll = (shadows: number): boolean => shadows === 2 ** lamps.length - 1;
   const turned: TurnedLines[] = [];
   for (let set = 1; set < 2 ** casting.length; set++) {
     const shadows = casting.reduce((bits, lamp, k) => bits | (((set >> k) & 1) << lamp), 0);
-    if (followsForm(lineField)) {
-      const crossing = lineField === 'form' ? 'acrossForm' : 'form';
-      if (isAll(shadows)) turned.push({ shadows, engraved: { ...engraved, lineField: crossing }, field: null });
+    if (followsForm(direction)) {
+      const crossing = direction === 'form' ? 'acrossForm' : 'form';
+      if (isAll(shadows)) turned.push({ shadows, engraved: { ...engraved, direction: crossing }, field: null });
       continue;
     }
     const arriving = lamps.filter((_, lamp) => ((shadows >> lamp) & 1) === 0);
     const light = isAll(shadows)
       ? { axis: across(fieldLight(lampsIn(frame, lamps)).axis), bend: 0 }
       : fieldLight(lampsIn(frame, arriving));
-    turned.push({ shadows, engraved, field: firstField(lineField, light, material.strokeAngle) });
+    turned.push({ shadows, engraved, field: firstField(direction, light, material.strokeAngle) });
   }
   return turned;
 }

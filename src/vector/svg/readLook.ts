@@ -20,6 +20,7 @@ import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from
 import { writeSheet } from '../../material/pictureOffset.js';
 import type { DrawnBackground } from '../DrawnScene.js';
 import type { EngravedLook } from '../Engraver.js';
+import type { LineTechnique } from '../lineMarks.js';
 import type { ObjectFading } from '../shading/fading.js';
 import type { GroundLook } from '../shading/groundShadow.js';
 import { meanLightAt } from '../shading/radiance.js';
@@ -43,11 +44,11 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
  */
 export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
   const { lineSpacing, minLineSpacing, crossFrom } = uniformsOf(material);
-  const { medium, lineField, shadowStrokes } = resolveLook(material, hasForm);
+  const { technique, direction, shadowStrokes } = resolveLook(material, hasForm);
   const { strokeLength, crossAngle, irregularity, screenSpaceShare, shadowSpacing, toneModel } = material;
   return {
-    lineField,
-    medium: medium === 'pen' || medium === 'woodcut' ? medium : 'ink',
+    direction: direction as EngravedLook['direction'],
+    technique: technique as LineTechnique,
     strokeLength,
     spacing: {
       lineSpacing: lineSpacing.value * (toneModel === 'shadow' ? shadowSpacing : 1),

@@ -39,7 +39,7 @@ export function surfaceFrame(
   mesh: Mesh,
   toWorld: Matrix4,
   { tilesPerObjectUnit, strokeAnchor }: HatchingMaterial,
-  { lineField }: EngravedLook,
+  { direction }: EngravedLook,
   worldToView: Matrix4,
 ): SurfaceFrame {
   const frame = objectFrame(mesh, toWorld, worldToView);
@@ -48,13 +48,13 @@ export function surfaceFrame(
   );
   writeFieldFrame({ fieldOrigin, objectToField, objectToFieldNormal }, tilesPerObjectUnit, mesh.geometry, mesh);
   // Lines that follow the form are fixed to the surface at rest, whatever `strokeAnchor` is.
-  const isCutAsPosed = strokeAnchor === 'deformed' && !followsForm(lineField);
+  const isCutAsPosed = strokeAnchor === 'deformed' && !followsForm(direction);
   const firstBone = isCutAsPosed ? null : firstBoneOf(mesh);
   return { ...frame, isCutAsPosed, restToWorld: firstBone ? firstBone.premultiply(toWorld) : toWorld };
 }
 
-export const followsForm = (lineField: EngravedLook['lineField']): lineField is 'form' | 'acrossForm' =>
-  lineField === 'form' || lineField === 'acrossForm';
+export const followsForm = (direction: EngravedLook['direction']): direction is 'form' | 'acrossForm' =>
+  direction === 'form' || direction === 'acrossForm';
 
 /** The rows of a matrix of three.js. */
 export function rowsOf({ elements: e }: Matrix3): Mat3 {

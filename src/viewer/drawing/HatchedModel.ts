@@ -172,7 +172,7 @@ export class HatchedModel {
     });
   }
 
-  /** Shows the whole model in a look. While adjacency is missing, techniques that need it are drawn as `anchored`. */
+  /** Shows the whole model in a look. While adjacency is missing, techniques that need it are drawn as `hatching`. */
   apply(look: Look): void {
     for (const _ of this.applying(look));
   }
@@ -341,11 +341,11 @@ const setOf = (
   outlineMaterials: new Set(outlines.map(({ material }) => material)),
 });
 
-/** A look with `anchored` in place of techniques that need triangle adjacency. */
+/** A look with `hatching` in place of techniques that need triangle adjacency. */
 function withoutAdjacency(look: Look): Look {
   const { drawn, compared } = look;
   const without = (parameters: HatchingMaterialParameters): HatchingMaterialParameters =>
-    needsAdjacency(parameters) ? { ...parameters, technique: 'anchored', crisp: false } : parameters;
+    needsAdjacency(parameters) ? { ...parameters, technique: 'hatching', crisp: false } : parameters;
   return { ...look, drawn: without(drawn), compared: compared && without(compared) };
 }
 

@@ -50,7 +50,7 @@ export async function bakeFurther(
       outlines: isIndexed,
       form: form && { ...form, up },
     });
-    if (!addsAdjacency && lineFieldOf(geometry) === 'light' && lineFieldOf(baked) === 'light') continue;
+    if (!addsAdjacency && directionOf(geometry) === 'light' && directionOf(baked) === 'light') continue;
     if (!isIndexed) {
       onBaked(geometry, geometry);
       copyForm(baked, geometry);
@@ -68,7 +68,7 @@ const statisticsOf = ({ userData }: BufferGeometry): HatchingStatistics => userD
 const isBaked = (geometry: BufferGeometry): boolean => statisticsOf(geometry) !== undefined;
 
 /** Which field the lines of a geometry follow. */
-const lineFieldOf = (geometry: BufferGeometry): 'form' | 'light' => statisticsOf(geometry).lineField;
+const directionOf = (geometry: BufferGeometry): 'form' | 'light' => statisticsOf(geometry).direction;
 
 /** Copies the form attributes to a geometry with one vertex per corner. */
 function copyForm(from: BufferGeometry, to: BufferGeometry): void {
@@ -76,7 +76,7 @@ function copyForm(from: BufferGeometry, to: BufferGeometry): void {
     if (from.hasAttribute(name)) to.setAttribute(name, from.getAttribute(name));
     else to.deleteAttribute(name);
   }
-  statisticsOf(to).lineField = lineFieldOf(from);
+  statisticsOf(to).direction = directionOf(from);
 }
 
 /** Copies the attributes of `bakeOcclusion` between geometries with the same corners. */

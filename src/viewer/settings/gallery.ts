@@ -39,7 +39,7 @@ export const GALLERY: readonly GalleryDrawing[] = [
     'column',
     'Column',
     'engraving',
-    `model=column&${SHADOWS}&lightAzimuth=-5&lightElevation=71&shadowStrokes=cross&lineField=y`,
+    `model=column&${SHADOWS}&lightAzimuth=-5&lightElevation=71&shadowStrokes=cross&direction=y`,
   ),
   drawing('gears', 'Gears', 'technical', 'model=gears&shadows=on&occlusion=100&lightAzimuth=8&lightElevation=68'),
   drawing(

@@ -1,4 +1,4 @@
-import { engravedHand, type Hand } from 'three-hatching';
+import { type Hand, handLines } from 'three-hatching';
 import { settingsOfMaterial } from './materialLook.js';
 import { acceptSetting, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { drawsWithMap } from './settingValues.js';
@@ -10,12 +10,12 @@ import { drawsWithMap } from './settingValues.js';
 export function handLook(settings: Settings, hand: Hand): Partial<Settings> {
   const look = { ...linesOfHand(settings, hand), mapStyle: 'ownHand' } as const;
   if (drawsWithMap({ ...settings, ...look })) return look;
-  return { ...look, technique: 'anchored', medium: SETTINGS.medium.default };
+  return { ...look, technique: SETTINGS.technique.default };
 }
 
-/** Settings that make engraved lines and outlines match the hand, within the ranges of their controls. */
+/** Settings that make lines and outlines match the hand, within the ranges of their controls. */
 export function linesOfHand(settings: Settings, hand: Hand): Partial<Settings> {
-  const { material, outlines } = engravedHand(hand, settings);
+  const { material, outlines } = handLines(hand, settings);
   const lines: Partial<Settings> = {
     ...settingsOfMaterial(material),
     outlineHand: outlines.wobble,

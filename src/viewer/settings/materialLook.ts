@@ -9,10 +9,10 @@ import {
   presets,
   type Vector2Like,
 } from 'three-hatching';
-import { counts, HATCHING_OUTLINE_DEFAULTS, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
+import { counts, drawsLines, HATCHING_OUTLINE_DEFAULTS, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { type Setting, UNITS, unitOf } from './table/rows.js';
-import { outlineShadeOf, SHADE, STROKE_ANGLES, strokeDirectionOf } from './table/strokeSettings.js';
+import { outlineShadeOf, SHADE, STROKE_ANGLES, strokeTurnOf } from './table/strokeSettings.js';
 
 const curveOf = (name: PresetName) => presets[name].material.toneCurve ?? 'linear';
 
@@ -87,7 +87,7 @@ export function materialLook(
   return {
     technique: techniqueOf(technique),
     crisp: technique === 'adjacencyCrisp',
-    strokeAngle: rotationOf(settings, technique),
+    strokeAngle: angleOf(settings, technique),
     strokeOffset: new Vector2(offsetU, offsetV),
     toneCurve: TONE_CURVES[settings.toneCurve],
     ...compositionLook(settings),
@@ -98,10 +98,10 @@ export function materialLook(
   };
 }
 
-function rotationOf({ strokeDirection, strokeAngle }: Settings, technique: Settings['technique']): number {
-  const { yieldsTo }: Setting = SETTINGS.strokeDirection;
-  if (yieldsTo && counts({ technique: techniqueOf(technique) }, yieldsTo)) return 0;
-  return strokeDirection === 'angle' ? MathUtils.degToRad(strokeAngle) : STROKE_ANGLES[strokeDirection];
+function angleOf({ strokeTurn, strokeAngle }: Settings, technique: Settings['technique']): number {
+  // The directions of lines have names.
+  if (drawsLines(techniqueOf(technique))) return 0;
+  return strokeTurn === 'angle' ? MathUtils.degToRad(strokeAngle) : STROKE_ANGLES[strokeTurn];
 }
 
 /** The sizes of the material for some settings; pixels are CSS pixels. */
@@ -113,7 +113,7 @@ export function settingsOfMaterial(parameters: HatchingMaterialParameters): Part
   const given = PROPERTY_SETTINGS.filter(({ property }) => parameters[property] !== undefined);
   return {
     ...(technique && { technique: technique === 'adjacency' && crisp ? 'adjacencyCrisp' : technique }),
-    ...(strokeAngle !== undefined && directionOf(strokeAngle)),
+    ...(strokeAngle !== undefined && turnOf(strokeAngle)),
     ...(strokeOffset && offsetOf(strokeOffset)),
     ...(toneCurve && { toneCurve: nameOfCurve(toneCurve) }),
     ...(exposure && { exposure: exposure === 'auto' ? exposure : 'fixed' }),
@@ -126,10 +126,10 @@ function offsetOf(offset: Vector2Like): Partial<Settings> {
   return { offsetU, offsetV };
 }
 
-function directionOf(strokeAngle: number): Partial<Settings> {
-  const strokeDirection = strokeDirectionOf(strokeAngle);
-  if (strokeDirection !== 'angle') return { strokeDirection };
-  return { strokeDirection, strokeAngle: unitOf('strokeAngle').toSetting(strokeAngle) };
+function turnOf(strokeAngle: number): Partial<Settings> {
+  const strokeTurn = strokeTurnOf(strokeAngle);
+  if (strokeTurn !== 'angle') return { strokeTurn };
+  return { strokeTurn, strokeAngle: unitOf('strokeAngle').toSetting(strokeAngle) };
 }
 
 /** The composition parameters of the material that are not properties of the settings' own name. */
@@ -204,10 +204,8 @@ export function outlineLook(settings: Settings) {
     hidden: settings.outlineHidden,
     wobble: settings.outlineHand,
     overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
-    // Outlines use the medium of the strokes.
-    paperGrain: counts({ technique: techniqueOf(settings.technique), medium: settings.medium }, 'paperGrain')
-      ? settings.paperGrain / 100
-      : 0,
+    // Outlines are drawn with what strokes are drawn with.
+    paperGrain: counts({ technique: techniqueOf(settings.technique) }, 'paperGrain') ? settings.paperGrain / 100 : 0,
     paperGrainSize: settings.paperGrainSize,
     ink: settings.ink,
   };

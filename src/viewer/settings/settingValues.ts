@@ -2,6 +2,7 @@ import { MathUtils } from 'three';
 import type { HatchingTechnique } from 'three-hatching';
 import {
   counts,
+  drawsLines,
   followsForm,
   formOf,
   HATCHING_FACTS,
@@ -58,7 +59,7 @@ export function formDrawn(settings: Settings): { auto: boolean; hasLines: boolea
   if (looks.length === 0) return undefined;
   return {
     auto: looks.every((look) => formOf(look) === 'auto'),
-    hasLines: looks.some((look) => counts(look, 'lineField')),
+    hasLines: looks.some(({ technique }) => drawsLines(technique as HatchingTechnique)),
   };
 }
 
@@ -94,8 +95,8 @@ export function hasEffect(
 
 /** Whether a setting has an effect in one look, according to the library's table of properties. */
 function countsFor(look: HatchingLook, key: SettingKey): boolean {
-  const { property, partOf = property, yieldsTo }: Setting = SETTINGS[key];
-  if (yieldsTo && counts(look, yieldsTo)) return false;
+  const { property, partOf = property, isForStrokes }: Setting = SETTINGS[key];
+  if (isForStrokes && drawsLines(look.technique as HatchingTechnique)) return false;
   return partOf === undefined || counts(look, partOf);
 }
 
@@ -117,11 +118,8 @@ export function presentUnit(key: SettingKey, [look]: readonly HatchingLook[]): s
   return measure ? UNITS[measure].name : '';
 }
 
-/** The properties that decide whether a tonal art map is drawn. */
-const DECIDING = ['technique', ...[HATCHING_FACTS.tonalArtMap?.when ?? {}].flat().flatMap(Object.keys)];
-
 /** Whether a setting decides which tonal art map is drawn, or whether one is. */
 export function choosesMap(key: SettingKey): boolean {
   const { property, partOf = property }: Setting = SETTINGS[key];
-  return key === 'compare' || partOf === 'tonalArtMap' || DECIDING.includes(partOf ?? '');
+  return key === 'compare' || partOf === 'tonalArtMap' || partOf === 'technique';
 }

@@ -38,12 +38,12 @@ export async function outlinedBox(): Promise<{ renderer: WebGPURenderer; scene: 
 
 export async function engravedScene(): Promise<HatchedNodeScene> {
   const material = new HatchingNodeMaterial({ preset: 'engraving', lineSpacing: 5 });
-  material.lineField = 'y';
+  material.direction = 'y';
   material.ink.set('#222');
   // @ts-expect-error: there is no such field.
-  material.lineField = 'round';
+  material.direction = 'round';
   const scene = new Scene().add(new Mesh(new BoxGeometry(), material), new DirectionalLight());
-  const hatched = await applyHatching(scene, { material: { technique: 'engraved' }, outlines: true });
+  const hatched = await applyHatching(scene, { material: { technique: 'engraving' }, outlines: true });
   hatched.materials[0].crossFrom = 0.4;
   hatched.outlines[0].material.outlineWidth = 3;
   const again: HatchedNodeScene = await hatched.setPreset({ preset: 'pen', outlines: false });
@@ -54,7 +54,7 @@ export async function engravedScene(): Promise<HatchedNodeScene> {
 /** Meshes of every kind, each with a material of nodes and outlines. */
 export async function everyKind(): Promise<Scene> {
   const geometry: BufferGeometry = await prepareHatchingGeometry(new BoxGeometry(), { outlines: true });
-  const material = new HatchingNodeMaterial({ technique: 'engraved', ink: 0x224466, focus: new Vector3() });
+  const material = new HatchingNodeMaterial({ technique: 'engraving', ink: 0x224466, focus: new Vector3() });
   const mesh: Mesh<BufferGeometry, HatchingNodeMaterial> = new Mesh(geometry, material);
   mesh.material.lineSpacing = 6;
   mesh.material = material.clone();

@@ -142,7 +142,7 @@ function ByHand({ ink, outlineWidth }: Pick<Shown, 'ink' | 'outlineWidth'>) {
   if (!geometry) return null;
   return (
     <mesh name="by hand" geometry={geometry} position-y={-0.9}>
-      <hatchingMaterial technique="anchored" tonalArtMap={tonalArtMap} strokeOffset={[0.5, 0]} {...(ink && { ink })} />
+      <hatchingMaterial technique="hatching" tonalArtMap={tonalArtMap} strokeOffset={[0.5, 0]} {...(ink && { ink })} />
       <HatchingOutlines wobble={1} {...(outlineWidth !== undefined && { outlineWidth })} />
     </mesh>
   );

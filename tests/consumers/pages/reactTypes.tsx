@@ -30,7 +30,7 @@ export function Drawing({ onHatched }: { onHatched: (hatched: HatchedScene) => v
       <Hatched signal={new AbortController().signal} />
       {geometry && (
         <mesh geometry={geometry}>
-          <hatchingMaterial technique="anchored" tonalArtMap={map} ink="#222" strokeOffset={[0.5, 0]} side={2} />
+          <hatchingMaterial technique="hatching" tonalArtMap={map} ink="#222" strokeOffset={[0.5, 0]} side={2} />
           {/* @ts-expect-error: an unknown technique is refused; the attributes are not `any`. */}
           <hatchingMaterial technique="scribble" />
           <HatchingOutlines outlineWidth={2} weights={{ lit: 1, shade: 1 }} weights-creases={0.5} ink="navy" />

@@ -89,9 +89,9 @@ function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
     ...{ map: () => map, tonalArtMap: () => map, files: () => files },
     ...{ strokes: () => strokes, hand: () => learnHand(strokes), picture: pictureOfStrokes },
     geometry: () => mesh.geometry,
-    material: () => new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' }),
+    material: () => new HatchingMaterial({ tonalArtMap: map, technique: 'hatching' }),
     ground: () => {
-      const ground = new Mesh(plane, new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' }));
+      const ground = new Mesh(plane, new HatchingMaterial({ tonalArtMap: map, technique: 'hatching' }));
       ground.position.y = -0.9;
       return placed(ground);
     },

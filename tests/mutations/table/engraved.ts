@@ -3,40 +3,40 @@ import type { Mutation } from '../Mutation.js';
 export const engraved: readonly Mutation[] = [
   {
     name: 'young lines are as wide as old ones',
-    file: 'shaders/techniques/engraved/ruledLines.glsl',
+    file: 'shaders/techniques/lines/ruledLines.glsl',
     find: '0.5 * (pixels - spacing)',
     replace: '0.5 * spacing',
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/engravedLines.spec.ts',
-      title: 'engraved equals the lines of vector files: …tangent to a light from above',
+      title: 'engraving equals the lines of vector files: …tangent to a light from above',
     },
   },
   {
     name: 'families cross from black alone',
-    file: 'shaders/techniques/engraved/hatchLayer.glsl',
+    file: 'shaders/techniques/lines/hatchLayer.glsl',
     find: 'takenOf(tone, crossFrom)',
     replace: 'takenOf(tone, 1.0)',
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/engravedLines.spec.ts',
-      title: 'engraved equals the lines of vector files: …crossing at right angles from light tones on',
+      title: 'engraving equals the lines of vector files: …crossing at right angles from light tones on',
     },
   },
   {
     name: 'lines across the first lean the other way',
-    file: 'shaders/techniques/engraved/readCut.glsl',
+    file: 'shaders/techniques/lines/readCut.glsl',
     find: 'lean.x * h.value + lean.y * dot(h.point, side)',
     replace: 'lean.x * h.value - lean.y * dot(h.point, side)',
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/engravedLines.spec.ts',
-      title: 'engraved equals the lines of vector files: …crossing at right angles from light tones on',
+      title: 'engraving equals the lines of vector files: …crossing at right angles from light tones on',
     },
   },
   {
     name: 'wedges of a woodcut swell less, in shaders and vector files alike',
-    file: 'src/look/constants/engravedConstants.ts',
+    file: 'src/look/constants/lineConstants.ts',
     find: 'SWELL_SHARE: 1.3',
     replace: 'SWELL_SHARE: 1.2',
     caughtBy: { layer: 'unit', file: 'tests/unit/vector/shading/lineAnswers.test.ts', title: 'cutWidth' },
@@ -49,7 +49,7 @@ export const engraved: readonly Mutation[] = [
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/engravedLines.spec.ts',
-      title: 'engraved equals the lines of vector files: …carved, placed and crossed by shadow',
+      title: 'engraving equals the lines of vector files: …carved, placed and crossed by shadow',
     },
   },
   {

@@ -10,7 +10,7 @@ export const fading: readonly Mutation[] = [
       layer: 'gpu',
       file: 'tests/gpu/anchored.spec.ts',
       title:
-        'anchored equals the double-precision reference: …falling off around a point, towards the rim and of less importance',
+        'hatching equals the double-precision reference: …falling off around a point, towards the rim and of less importance',
     },
   },
   {
@@ -21,7 +21,7 @@ export const fading: readonly Mutation[] = [
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/anchored.spec.ts',
-      title: 'anchored equals the double-precision reference: …fading with its depth',
+      title: 'hatching equals the double-precision reference: …fading with its depth',
     },
   },
 ];

@@ -8,7 +8,7 @@ export const form: readonly Mutation[] = [
     replace: "flatShare > FLAT_FACED_SHARE ? 'form' : 'light'",
     caughtBy: {
       layer: 'unit',
-      file: 'tests/unit/mesh/form/chooseLineField.test.ts',
+      file: 'tests/unit/mesh/form/chooseDirection.test.ts',
       title: 'nothing … has flat faces',
     },
   },

@@ -49,7 +49,7 @@ export const material: readonly Mutation[] = [
     name: 'defaults of a technique are written to JSON',
     file: 'src/material/hatchingJSON.ts',
     find: 'value, material.technique)',
-    replace: "value, 'anchored')",
+    replace: "value, 'hatching')",
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/hatchingJSON.test.ts',

@@ -9,7 +9,7 @@ export const nodes: readonly Mutation[] = [
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',
-      title: 'anchored … in scenes of the reference: nodes draw what GLSL draws',
+      title: 'hatching … in scenes of the reference: nodes draw what GLSL draws',
     },
   },
   {
@@ -20,18 +20,18 @@ export const nodes: readonly Mutation[] = [
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',
-      title: 'anchored … in scenes of the reference: nodes draw what GLSL draws',
+      title: 'hatching … in scenes of the reference: nodes draw what GLSL draws',
     },
   },
   {
     name: 'families of nodes cross from black alone',
-    file: 'src/webgpu/nodes/engraved/hatchLayer.ts',
+    file: 'src/webgpu/nodes/lines/hatchLayer.ts',
     find: 'takenOf(tone, crossFrom, kept)',
     replace: 'takenOf(tone, float(1), kept)',
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',
-      title: 'engraved … in scenes of the reference: nodes draw what GLSL draws',
+      title: 'engraving … in scenes of the reference: nodes draw what GLSL draws',
     },
   },
   {
@@ -52,7 +52,7 @@ export const nodes: readonly Mutation[] = [
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',
-      title: 'engraved … in scenes of the reference: nodes draw what GLSL draws',
+      title: 'engraving … in scenes of the reference: nodes draw what GLSL draws',
     },
   },
   {
@@ -71,7 +71,7 @@ export const nodes: readonly Mutation[] = [
   },
   {
     name: 'dots of nodes are the larger of two sizes',
-    file: 'src/webgpu/nodes/anchored/stipple.ts',
+    file: 'src/webgpu/nodes/strokes/stipple.ts',
     find: 'min(onObject, onScreen)',
     replace: 'max(onObject, onScreen)',
     caughtBy: {

@@ -64,7 +64,7 @@ export const shadows: readonly Mutation[] = [
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/shadows.spec.ts',
-      title: 'under one light strokes run across it in its shadow…anchored',
+      title: 'under one light strokes run across it in its shadow…hatching',
     },
   },
 ];

@@ -3,7 +3,7 @@ import type { Mutation } from '../Mutation.js';
 export const stipple: readonly Mutation[] = [
   {
     name: 'dots cover too much in the darks',
-    file: 'shaders/techniques/anchored/stipple.glsl',
+    file: 'shaders/techniques/strokes/stipple.glsl',
     find: '(1.0 - CLOSING.y) * way * way',
     replace: '2.0 * way',
     caughtBy: {

@@ -69,13 +69,13 @@ export const strokes: readonly Mutation[] = [
   },
   {
     name: 'lattices of strokes on the screen change places',
-    file: 'shaders/techniques/anchored/strokes.glsl',
+    file: 'shaders/techniques/strokes/strokes.glsl',
     find: '(i == 0.0 ? 1.0 - fade : fade)',
     replace: '(i == 0.0 ? fade : 1.0 - fade)',
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/anchored.spec.ts',
-      title: 'anchored equals the double-precision reference: …sized half on the screen, two lights',
+      title: 'hatching equals the double-precision reference: …sized half on the screen, two lights',
     },
   },
 ];

@@ -74,7 +74,7 @@ export const tone: readonly Mutation[] = [
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/anchored.spec.ts',
-      title: 'anchored equals the double-precision reference: …tone curve of points',
+      title: 'hatching equals the double-precision reference: …tone curve of points',
     },
   },
   {
@@ -85,7 +85,7 @@ export const tone: readonly Mutation[] = [
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/anchored.spec.ts',
-      title: 'anchored equals the double-precision reference: …local tone, in a shadow that crosses',
+      title: 'hatching equals the double-precision reference: …local tone, in a shadow that crosses',
     },
   },
   {
@@ -96,7 +96,7 @@ export const tone: readonly Mutation[] = [
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/anchored.spec.ts',
-      title: 'anchored equals the double-precision reference: …toon…, point light, moved object',
+      title: 'hatching equals the double-precision reference: …toon…, point light, moved object',
     },
   },
 ];

@@ -106,8 +106,8 @@ describe('the command line of draw', () => {
   });
 
   test('a link may be given as its hash alone', () => {
-    expect(drawing(...OUT, '--link', 'https://example.org/p/#technique=engraved&ink=%23203080').options.link).toBe(
-      'technique=engraved&ink=%23203080',
+    expect(drawing(...OUT, '--link', 'https://example.org/p/#technique=engraving&ink=%23203080').options.link).toBe(
+      'technique=engraving&ink=%23203080',
     );
     expect(refusal(...OUT, '--link', 'https://example.org/p/')).toMatch(/--link holds no drawing/);
     // Without a technique, a link means that of its preset, or the one that is drawn with a map.
@@ -117,8 +117,8 @@ describe('the command line of draw', () => {
     // Dots leave as dots.
     expect(refusal(...OUT, '--preset', 'stipple')).toBe('');
     expect(refusal(...OUT, '--link', '#preset=stipple')).toBe('');
-    expect(refusal(...OUT, '--link', '#technique=anchored&medium=stipple')).toBe('');
-    expect(refusal(...OUT, '--link', '#preset=stipple&medium=ink')).toMatch(/strokes that are a picture/);
+    expect(refusal(...OUT, '--link', '#technique=stipple')).toBe('');
+    expect(refusal(...OUT, '--link', '#preset=stipple&technique=hatching')).toMatch(/strokes that are a picture/);
   });
 
   test('nothing at all, or --help, asks for help, which names every option', () => {

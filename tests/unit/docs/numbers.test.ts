@@ -71,7 +71,7 @@ describe('times are those of the benchmarks', () => {
     const row = new RegExp(
       `\\| time of a frame, ${thousands} k triangles \\| ${cell} \\| ${cell} \\| ${cell} \\| ${cell} \\|`,
     );
-    const measured = ['triangle corner', 'adjacency corner', 'anchored indexed', 'engraved indexed'].map((drawn) =>
+    const measured = ['triangle corner', 'adjacency corner', 'hatching indexed', 'engraving indexed'].map((drawn) =>
       rounded(ratio(model, drawn, 'phong indexed'), 1),
     );
     expect(numbersIn('docs/presets.md', row)).toEqual(measured);
@@ -79,7 +79,7 @@ describe('times are those of the benchmarks', () => {
 
   test.each(['11', '48', '202', '871'])('of anchored strokes beside adjacency, %s k triangles', (thousands) => {
     const measured = ['gpu', 'swiftshader', 'llvmpipe'].map((rasteriser) =>
-      rounded(ratio(`dragon${thousands}k`, 'anchored indexed', 'adjacency corner', rasteriser), 2),
+      rounded(ratio(`dragon${thousands}k`, 'hatching indexed', 'adjacency corner', rasteriser), 2),
     );
     const row = new RegExp(`\\| ${thousands} k triangles \\| ([\\d.]+) \\| ([\\d.]+) \\| ([\\d.]+) \\|`);
     expect(numbersIn('docs/research/methods.md', row)).toEqual(measured);
@@ -88,7 +88,7 @@ describe('times are those of the benchmarks', () => {
   test('of a frame, a map and a bake', () => {
     const [least, most] = numbersIn('docs/performance.md', /([\d.]+) to ([\d.]+) times Phong shading/);
     for (const model of Object.keys(frames('gpu'))) {
-      for (const drawn of ['anchored indexed', 'engraved indexed']) {
+      for (const drawn of ['hatching indexed', 'engraving indexed']) {
         expect(ratio(model, drawn, 'phong indexed')).toBeGreaterThan(least - 0.05);
         expect(ratio(model, drawn, 'phong indexed')).toBeLessThan(most);
       }
@@ -115,9 +115,9 @@ describe('times are those of the benchmarks', () => {
     for (const model of ['dragon202k', 'torus500k', 'dragon871k']) {
       expect(ratio(model, 'adjacency pull', 'adjacency corner')).toBeCloseTo(0.75, 1);
     }
-    expect(page('docs/presets.md')).toContain('adds about a fifth to a frame of `anchored`');
+    expect(page('docs/presets.md')).toContain('adds about a fifth to a frame of `hatching`');
     const shadows = Object.values<{ drawn: Record<string, { ratio: number[] }> }>(resultOf('shadows.gpu').models);
-    for (const { drawn } of shadows) expect(drawn['anchored cross'].ratio[0]).toBeCloseTo(1.2, 1);
+    for (const { drawn } of shadows) expect(drawn['hatching cross'].ratio[0]).toBeCloseTo(1.2, 1);
     const lists = Object.values<{ listed: number; primitives: number }>(resultOf('lines.gpu').models);
     const shares = lists.map(({ listed, primitives }) => Math.round((100 * listed) / primitives));
     const text = /(\d+) to (\d+) % of them are drawn/;
@@ -131,15 +131,15 @@ describe('times are those of the benchmarks', () => {
     expect(numbersIn('docs/engraved.md', /up to ([\d.]+) times as many pixels change/)).toEqual([rounded(engraved, 1)]);
   });
 
-  test('of media beside ink', () => {
-    const ratios = (rasteriser: string, medium: string): number[] =>
+  test('of techniques beside hatching', () => {
+    const ratios = (rasteriser: string, technique: string): number[] =>
       Object.values<{ drawn: Record<string, { ratio: number[] }> }>(resultOf(`media.${rasteriser}`).models)
-        .map(({ drawn }) => rounded(drawn[medium].ratio[0], 1))
+        .map(({ drawn }) => rounded(drawn[technique].ratio[0], 1))
         .sort();
-    const [dry] = numbersIn('docs/media.md', /Under SwiftShader a frame with a dry medium takes ([\d.]+) times/);
-    expect(ratios('swiftshader', 'dry')).toEqual([dry, dry]);
-    const lines = numbersIn('docs/media.md', /one with engraved or carved lines ([\d.]+) to ([\d.]+) times/);
-    const measured = [...ratios('swiftshader', 'engraved'), ...ratios('swiftshader', 'carved')];
+    const [dry] = numbersIn('docs/media.md', /Under SwiftShader a frame of `dryMedia` takes ([\d.]+) times/);
+    expect(ratios('swiftshader', 'dryMedia')).toEqual([dry, dry]);
+    const lines = numbersIn('docs/media.md', /one of `engraving` or `woodcut` ([\d.]+) to ([\d.]+) times/);
+    const measured = [...ratios('swiftshader', 'engraving'), ...ratios('swiftshader', 'woodcut')];
     expect(lines).toEqual([Math.min(...measured), Math.max(...measured)]);
     const stipple = numbersIn('docs/media.md', /stippling takes ([\d.]+) to ([\d.]+) times/);
     expect(stipple).toEqual(ratios('llvmpipe', 'stipple'));
@@ -175,19 +175,15 @@ describe('counts are those of the code', () => {
   });
 
   test('presets and their techniques', () => {
-    const engraved = Object.entries(presets).flatMap(([name, { material }]) =>
-      material.technique === 'engraved' ? [`\`${name}\``] : [],
-    );
-    const list = `${engraved.slice(0, -1).join(', ')} and ${engraved.at(-1)}`;
-    expect([...engraved].sort()).toEqual([
-      '`banknote`',
-      '`crossHatching`',
-      '`engraving`',
-      '`pen`',
-      '`technical`',
-      '`woodcut`',
-    ]);
-    expect(page('docs/presets.md')).toContain(`${list} are \`engraved\`, all others are \`anchored\``);
+    const named: Record<string, string[]> = {};
+    for (const [name, { material }] of Object.entries(presets)) {
+      named[material.technique!] = [...(named[material.technique!] ?? []), `\`${name}\``];
+    }
+    for (const [technique, names] of Object.entries(named)) {
+      const list = [names.slice(0, -1).join(', '), names.at(-1)].filter(Boolean).join(' and ');
+      const sentence = `${list} ${names.length > 1 ? 'draw' : 'draws'} with \`${technique}\``;
+      expect(page('docs/presets.md').replaceAll('\n', ' ')).toContain(sentence);
+    }
   });
 
   test('bytes of layouts', () => {

@@ -113,7 +113,7 @@ describe('followed in a copy', { tags: ['all'] }, () => {
     const { HatchingMaterial } = await load('src/material/HatchingMaterial.ts');
     const { drawSVG } = await load('src/vector/svg/index.ts');
     const inkOf = async (inkStrength: number): Promise<number> => {
-      const material = new HatchingMaterial({ technique: 'engraved', lineField: 'y', inkStrength });
+      const material = new HatchingMaterial({ technique: 'engraving', direction: 'y', inkStrength });
       const light = new DirectionalLight('white', 0.7 * Math.PI);
       light.position.z = 1;
       const scene = new Scene().add(new Mesh(new PlaneGeometry(2, 2), material), light);

@@ -1,7 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import type { HatchingPropertyName, Medium } from '../../../src/look/hatchingProperties.js';
+import type { HatchingPropertyName, HatchingTechnique } from '../../../src/look/hatchingProperties.js';
 import { counts, measureOf, pixelPower, scaledSizes } from '../../../src/look/measuredFacts.js';
 import {
+  drawsLines,
   followsForm,
   formOf,
   type HatchingLook,
@@ -18,14 +19,13 @@ describe('queries of a look', () => {
   test.each([
     [{}, true, false],
     [{ technique: 'triangle' }, true, true],
-    [{ technique: 'adjacency', medium: 'stipple' }, true, true],
+    [{ technique: 'adjacency' }, true, true],
     [{ technique: 'adjacency', crisp: true }, true, true],
-    [{ technique: 'anchored' }, true, false],
-    [{ technique: 'anchored', medium: 'dry' }, true, false],
-    [{ technique: 'anchored', medium: 'stipple' }, false, false],
-    [{ medium: 'stipple' }, false, false],
-    [{ technique: 'engraved' }, false, false],
-    [{ technique: 'engraved', medium: 'dry' }, false, false],
+    [{ technique: 'hatching' }, true, false],
+    [{ technique: 'dryMedia' }, true, false],
+    [{ technique: 'stipple' }, false, false],
+    [{ technique: 'engraving' }, false, false],
+    [{ technique: 'woodcut' }, false, false],
     [{ preset: 'pen' }, false, false],
     [{ preset: 'pencil' }, true, false],
     [{ preset: 'stipple' }, false, false],
@@ -33,7 +33,7 @@ describe('queries of a look', () => {
     [{ preset: 'engraving', technique: 'adjacency' }, true, true],
   ] as const)('%j: a map is needed: %s, adjacency: %s', (look, map, adjacency) => {
     expect([needsMap(look), needsAdjacency(look)]).toEqual([map, adjacency]);
-    const material = new HatchingMaterial(look as { medium?: Medium });
+    const material = new HatchingMaterial(look);
     expect([needsMap(material), needsAdjacency(material)]).toEqual([map, adjacency]);
   });
 
@@ -41,34 +41,35 @@ describe('queries of a look', () => {
     [{}, true],
     [{ technique: 'adjacency' }, false],
     [{ technique: 'adjacency', crisp: true }, true],
-    [{ technique: 'anchored' }, true],
-    [{ technique: 'anchored', medium: 'stipple' }, true],
+    [{ technique: 'hatching' }, true],
+    [{ technique: 'dryMedia' }, true],
+    // Dots are drawn without a map.
+    [{ technique: 'stipple' }, false],
     // The crispness of another technique.
-    [{ technique: 'engraved', crisp: true }, false],
+    [{ technique: 'engraving', crisp: true }, false],
   ] as const)('%j decides ink from thresholds: %s', (look, expected) => {
     expect(usesThresholds(look)).toBe(expected);
   });
 
   test.each([
     [{}, false],
-    [{ technique: 'engraved' }, false],
-    [{ technique: 'engraved', lineField: 'x' }, false],
-    [{ technique: 'engraved', lineField: 'acrossForm' }, true],
-    [{ technique: 'engraved', lineField: 'auto' }, 'auto'],
+    [{ technique: 'engraving' }, false],
+    [{ technique: 'engraving', direction: 'x' }, false],
+    [{ technique: 'engraving', direction: 'acrossForm' }, true],
+    [{ technique: 'engraving', direction: 'auto' }, 'auto'],
     [{ preset: 'banknote' }, true],
     [{ preset: 'engraving' }, 'auto'],
     [{ preset: 'pen' }, 'auto'],
-    [{ preset: 'pencil', strokeField: 'light' }, false],
-    [{ preset: 'pencil', strokeField: 'form' }, true],
-    [{ strokeField: 'acrossForm', medium: 'dry' }, true],
-    // A medium of another technique: this one draws in ink instead.
-    [{ strokeField: 'form', medium: 'woodcut' }, true],
+    [{ preset: 'pencil', direction: 'light' }, false],
+    [{ preset: 'pencil', direction: 'form' }, true],
+    [{ direction: 'acrossForm', technique: 'dryMedia' }, true],
+    [{ direction: 'form', technique: 'woodcut' }, true],
     // Dots have no direction.
-    [{ strokeField: 'form', medium: 'stipple' }, false],
-    // A property of another technique.
-    [{ technique: 'engraved', strokeField: 'form' }, false],
-    [{ lineField: 'form' }, false],
-    [{ technique: 'adjacency', strokeField: 'form', lineField: 'form' }, false],
+    [{ direction: 'form', technique: 'stipple' }, false],
+    // A choice of lines alone counts as the default of strokes.
+    [{ technique: 'hatching', direction: 'auto' }, false],
+    // A property of other techniques.
+    [{ technique: 'adjacency', direction: 'form' }, false],
   ] as const)('%j asks of geometries for the form: %s', (look, form) => {
     expect([formOf(look), followsForm(look)]).toEqual([form, form !== false]);
     const material = new HatchingMaterial();
@@ -78,44 +79,48 @@ describe('queries of a look', () => {
 
   test.each([
     ['strokeAngle', {}, true],
-    ['strokeAngle', { strokeField: 'form' }, false],
-    ['strokeAngle', { strokeField: 'form', technique: 'engraved' }, true],
-    ['strokeField', { medium: 'dry' }, true],
-    ['strokeField', { medium: 'stipple' }, false],
-    ['paperGrain', { technique: 'anchored', medium: 'dry' }, true],
-    ['paperGrain', { technique: 'anchored' }, false],
-    // The medium of another technique.
-    ['paperGrain', { technique: 'engraved', medium: 'dry' }, false],
-    ['edgePixels', { technique: 'anchored' }, true],
-    ['edgePixels', { technique: 'anchored', medium: 'dry' }, false],
+    ['strokeAngle', { direction: 'form' }, false],
+    ['strokeAngle', { direction: 'sheet' }, true],
+    // Of lines 'sheet' is not known, and counts as 'light'.
+    ['strokeAngle', { direction: 'sheet', technique: 'engraving' }, true],
+    ['strokeAngle', { direction: 'x', technique: 'engraving' }, false],
+    ['strokeAngle', { direction: 'x', technique: 'triangle' }, true],
+    ['direction', { technique: 'dryMedia' }, true],
+    ['direction', { technique: 'stipple' }, false],
+    ['paperGrain', { technique: 'dryMedia' }, true],
+    ['paperGrain', { technique: 'hatching' }, false],
+    ['paperGrain', { technique: 'engraving' }, false],
+    ['strokeLength', { technique: 'engraving' }, false],
+    ['strokeLength', { technique: 'pen' }, true],
+    ['edgePixels', { technique: 'hatching' }, true],
+    ['edgePixels', { technique: 'dryMedia' }, false],
     ['edgePixels', { technique: 'adjacency' }, false],
-    ['edgePixels', { technique: 'adjacency', crisp: true, medium: 'dry' }, true],
-    ['crossFrom', { technique: 'anchored' }, true],
-    ['crossFrom', { technique: 'anchored', strokeLayers: 'single' }, false],
+    ['edgePixels', { technique: 'adjacency', crisp: true }, true],
+    ['crossFrom', { technique: 'hatching' }, true],
+    ['crossFrom', { technique: 'hatching', strokeLayers: 'single' }, false],
     ['crossFrom', { technique: 'adjacency' }, false],
-    ['crossFrom', { technique: 'anchored', strokeLayers: 'tone' }, true],
+    ['crossFrom', { technique: 'hatching', strokeLayers: 'tone' }, true],
     // Engraved lines cross whatever the layers of strokes.
-    ['crossFrom', { technique: 'engraved' }, true],
+    ['crossFrom', { technique: 'engraving' }, true],
     ['toneSteps', { toneModel: 'toon' }, true],
     ['toneSteps', {}, false],
     ['shininess', { toneModel: 'phong' }, true],
     ['ink', {}, true],
-    ['lineSpacing', { technique: 'engraved' }, true],
+    ['lineSpacing', { technique: 'engraving' }, true],
     ['lineSpacing', {}, false],
     // Greys whose level follows from derivatives have the width that the map draws.
     ['strokeWidth', { technique: 'adjacency' }, false],
     ['strokeWidth', { technique: 'adjacency', levelRule: 'depth' }, true],
     ['strokeWidth', { technique: 'adjacency', crisp: true }, true],
-    ['strokeWidth', { technique: 'anchored' }, true],
-    ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
-    ['latticeSpacing', { technique: 'anchored', medium: 'stipple' }, false],
-    ['strokeAngle', { technique: 'anchored', medium: 'stipple' }, false],
-    ['strokeAngle', { technique: 'engraved', medium: 'stipple' }, true],
-    ['strokeAngle', { technique: 'engraved', medium: 'woodcut' }, true],
-    // `anchored` draws an unknown medium in ink.
-    ['latticeSpacing', { technique: 'anchored', medium: 'woodcut' }, true],
-    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 0.9 }, true],
-    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 1 }, false],
+    ['strokeWidth', { technique: 'hatching' }, true],
+    ['strokeWidth', { technique: 'engraving', levelRule: 'depth' }, false],
+    ['latticeSpacing', { technique: 'stipple' }, false],
+    ['strokeAngle', { technique: 'stipple' }, false],
+    ['strokeAngle', { technique: 'engraving' }, true],
+    ['strokeAngle', { technique: 'woodcut' }, true],
+    ['latticeSpacing', { technique: 'hatching' }, true],
+    ['tilesPerObjectUnit', { technique: 'hatching', screenSpaceShare: 0.9 }, true],
+    ['tilesPerObjectUnit', { technique: 'hatching', screenSpaceShare: 1 }, false],
     // Strokes of `triangle` are always sized on the object.
     ['tilesPerObjectUnit', { technique: 'triangle', screenSpaceShare: 1 }, true],
     ['bumpScale', {}, false],
@@ -123,8 +128,8 @@ describe('queries of a look', () => {
     ['bumpScale', { bumpMap: {} }, true],
     ['bumpScale', { technique: 'adjacency', bumpMap: {} }, false],
     ['bumpMap', { bumpMap: {}, normalMap: {}, toneNormal: 'smooth' }, false],
-    ['normalMap', { technique: 'anchored', toneNormal: 'auto' }, true],
-    ['normalMap', { technique: 'anchored', toneNormal: 'face' }, false],
+    ['normalMap', { technique: 'hatching', toneNormal: 'auto' }, true],
+    ['normalMap', { technique: 'hatching', toneNormal: 'face' }, false],
     ['highlightSoftness', { highlightThreshold: 0 }, false],
     ['highlightSoftness', { highlightThreshold: 0.2 }, true],
     ['exposureCompensation', {}, false],
@@ -218,10 +223,10 @@ describe('sizes for a picture of more pixels', () => {
     for (const technique of Object.keys(TECHNIQUES) as (keyof typeof TECHNIQUES)[]) {
       const look: HatchingLook = new HatchingMaterial({
         technique,
-        screenSpaceShare: technique === 'engraved' ? 1 : 0,
+        screenSpaceShare: drawsLines(technique as HatchingTechnique) ? 1 : 0,
       });
-      const expected = technique === 'engraved' ? sizes : sizes.slice(2);
-      if (technique === 'anchored') expected.push('strokeWidth');
+      const expected = drawsLines(technique as HatchingTechnique) ? sizes : sizes.slice(2);
+      if (['hatching', 'dryMedia', 'stipple'].includes(technique)) expected.push('strokeWidth');
       expect(Object.keys(scaledSizes(look, 2)).sort()).toEqual([...expected].sort());
     }
   });

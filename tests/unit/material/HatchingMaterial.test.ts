@@ -40,39 +40,39 @@ describe('HatchingMaterial', () => {
   });
 
   test('draws lines by the light on a mesh that was prepared without the form they should follow', () => {
-    const material = new HatchingMaterial({ technique: 'engraved', lineField: 'acrossForm' });
-    const { choices } = HATCHING_PROPERTIES.lineField;
+    const material = new HatchingMaterial({ technique: 'engraving', direction: 'acrossForm' });
+    const { choices } = HATCHING_PROPERTIES.direction;
     const drawn = (geometry: BufferGeometry) => {
       material.announce(new Mesh(geometry));
-      return choices[material.defines.LINE_FIELD as number];
+      return choices[material.defines.DIRECTION as number];
     };
     const formed = new BoxGeometry();
     formed.setAttribute('formValue', new BufferAttribute(new Float32Array(48), 2));
-    expect(choices[material.defines.LINE_FIELD as number]).toBe('acrossForm');
+    expect(choices[material.defines.DIRECTION as number]).toBe('acrossForm');
     expect(drawn(new BoxGeometry())).toBe('light');
     expect(drawn(formed)).toBe('acrossForm');
     expect(drawn(new BoxGeometry())).toBe('light');
-    material.lineField = 'auto';
+    material.direction = 'auto';
     expect([drawn(formed), drawn(new BoxGeometry())]).toEqual(['form', 'light']);
-    expect(material.clone().lineField).toBe('auto');
-    material.lineField = 'x';
+    expect(material.clone().direction).toBe('auto');
+    material.direction = 'x';
     expect(drawn(new BoxGeometry())).toBe('x');
-    expect(material.lineField).toBe('x');
+    expect(material.direction).toBe('x');
   });
 
   test('draws strokes that turn with the light on a mesh that was prepared without the form they should follow', () => {
-    const material = new HatchingMaterial({ strokeField: 'acrossForm' });
-    const { choices } = HATCHING_PROPERTIES.strokeField;
+    const material = new HatchingMaterial({ direction: 'acrossForm' });
+    const { choices } = HATCHING_PROPERTIES.direction;
     const drawn = (geometry: BufferGeometry) => {
       material.announce(new Mesh(geometry));
-      return choices[material.defines.STROKE_FIELD as number];
+      return choices[material.defines.DIRECTION as number];
     };
     const formed = new BoxGeometry();
     formed.setAttribute('formValue', new BufferAttribute(new Float32Array(48), 2));
     expect([drawn(new BoxGeometry()), drawn(formed)]).toEqual(['light', 'acrossForm']);
-    expect(material.strokeField).toBe('acrossForm');
-    expect(material.clone().strokeField).toBe('acrossForm');
-    material.strokeField = 'light';
+    expect(material.direction).toBe('acrossForm');
+    expect(material.clone().direction).toBe('acrossForm');
+    material.direction = 'light';
     expect(drawn(formed)).toBe('light');
   });
 
@@ -81,7 +81,7 @@ describe('HatchingMaterial', () => {
     expect(material.isHatchingMaterial).toBe(true);
     expect(material.type).toBe('HatchingMaterial');
     expect(material).toMatchObject({
-      technique: 'anchored',
+      technique: 'hatching',
       screenSpaceShare: 1,
       strokeWidth: 1.5,
       toneModel: 'lambert',
@@ -119,20 +119,20 @@ describe('HatchingMaterial', () => {
     for (const one of [material, material.clone()]) {
       one.technique = 'adjacency';
       expect([one.crossFrom, one.reflectedLight, one.strokeWidth, one.toneCurve]).toEqual([0.3, 0, null, 'linear']);
-      one.technique = 'anchored';
+      one.technique = 'hatching';
       expect([one.crossFrom, one.reflectedLight, one.strokeWidth, one.toneCurve]).toEqual([0.3, 0.35, 1.5, 'printed']);
     }
   });
 
   describe('a preset by its name', () => {
-    const looks = ({ technique, medium, strokeLayers, ink, tonalArtMap }: HatchingMaterial) => [
-      ...[technique, medium, strokeLayers, `#${ink.getHexString()}`, tonalArtMap],
+    const looks = ({ technique, strokeLayers, ink, tonalArtMap }: HatchingMaterial) => [
+      ...[technique, strokeLayers, `#${ink.getHexString()}`, tonalArtMap],
     ];
 
     test('sets the preset, overridden by the other parameters, in any order', () => {
       const given = new HatchingMaterial({ ink: '#000080', preset: 'stipple' });
-      expect(looks(given)).toEqual(['anchored', 'stipple', 'single', '#000080', 'hatching']);
-      expect(looks(new HatchingMaterial({ preset: 'crossHatching' }))[1]).toBe('pen');
+      expect(looks(given)).toEqual(['stipple', 'single', '#000080', 'hatching']);
+      expect(looks(new HatchingMaterial({ preset: 'crossHatching' }))[0]).toBe('pen');
     });
 
     test('resets the former preset', () => {
@@ -158,8 +158,8 @@ describe('HatchingMaterial', () => {
     const blank = new HatchingMaterial({ tonalArtMap: null });
     expect(HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(blank.toJSON()))).tonalArtMap).toBe(null);
     await blank.ready;
-    await new HatchingMaterial({ technique: 'engraved' }).ready;
-    await new HatchingMaterial({ medium: 'stipple' }).ready;
+    await new HatchingMaterial({ technique: 'engraving' }).ready;
+    await new HatchingMaterial({ technique: 'stipple' }).ready;
     expect(shared).not.toHaveBeenCalled();
     expect(() => {
       material.tonalArtMap = 'hachures' as 'hatching';
@@ -264,14 +264,14 @@ describe('HatchingMaterial', () => {
   });
 
   test('tone is smooth with anchored and faceted with the techniques of Suarez et al., unless it is set', () => {
-    const material = new HatchingMaterial({ technique: 'anchored' });
+    const material = new HatchingMaterial({ technique: 'hatching' });
     expect(material.toneNormal).toBe('smooth');
     material.technique = 'adjacency';
     expect(material.toneNormal).toBe('face');
     material.toneNormal = 'smooth';
     material.technique = 'triangle';
     expect(material.toneNormal).toBe('smooth');
-    expect(new HatchingMaterial({ toneNormal: 'face', technique: 'anchored' }).toneNormal).toBe('face');
+    expect(new HatchingMaterial({ toneNormal: 'face', technique: 'hatching' }).toneNormal).toBe('face');
     expect(material.clone().toneNormal).toBe('smooth');
   });
 
@@ -286,7 +286,7 @@ describe('HatchingMaterial', () => {
   });
 
   test('strokes sized on the object alone have a program of their own, and all other sizes share one', () => {
-    const material = new HatchingMaterial({ technique: 'anchored' });
+    const material = new HatchingMaterial({ technique: 'hatching' });
     // The renderer reads it when it chooses a program.
     const definesAt = (screenSpaceShare: number) => {
       material.screenSpaceShare = screenSpaceShare;
@@ -298,14 +298,14 @@ describe('HatchingMaterial', () => {
     expect(definesAt(0.5)).toEqual(definesAt(1));
     expect(definesAt(0)).toEqual(onObject);
     expect(programSwitches(Object.assign(material, { screenSpaceShare: 0.4 }))).not.toBe(
-      programSwitches(new HatchingMaterial({ technique: 'anchored', screenSpaceShare: 0 })),
+      programSwitches(new HatchingMaterial({ technique: 'hatching', screenSpaceShare: 0 })),
     );
   });
 
   test('reads thresholds only where they are drawn', () => {
     const material = new HatchingMaterial({ tonalArtMap: map, technique: 'adjacency' });
     expect(material.uniforms.thresholdMap.value).toBe(null);
-    const anchored = new HatchingMaterial({ tonalArtMap: map, technique: 'anchored' });
+    const anchored = new HatchingMaterial({ tonalArtMap: map, technique: 'hatching' });
     expect(anchored.uniforms.thresholdMap.value).toBe(map.thresholdTexture);
   });
 
@@ -420,7 +420,7 @@ describe('values of the wrong kind', () => {
       ],
       [{ tilesPerObjectUnit: 7, strokeWidth: '1.9' }, 'HatchingMaterial.strokeWidth: 1.9 is not a number in (0, ∞).'],
       [{ tilesPerObjectUnit: 7, edgePixels: null }, 'HatchingMaterial.edgePixels: null is not a number'],
-      [{ tilesPerObjectUnit: 7, medium: 'constructor' }, 'HatchingMaterial.medium: "constructor" is not known'],
+      [{ tilesPerObjectUnit: 7, direction: 'constructor' }, 'HatchingMaterial.direction: "constructor" is not known'],
       [{ tilesPerObjectUnit: 7, inkBlend: 'auto' }, 'HatchingMaterial.inkBlend: "auto" is not known'],
       [{ tilesPerObjectUnit: 7, crisp: 'yes' }, 'HatchingMaterial.crisp: expected true or false.'],
       [{ tilesPerObjectUnit: 7, toneCurve: [[0, 0]] }, 'HatchingMaterial.toneCurve: '],

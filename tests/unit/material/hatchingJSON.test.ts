@@ -79,12 +79,12 @@ describe('JSON of a material, from anywhere', () => {
     await HatchingMaterial.preload();
     const named = (material: HatchingMaterial) => Object.keys(propertiesToJSON(material));
     expect(named(new HatchingMaterial())).toEqual([]);
-    for (const technique of ['engraved', 'adjacency', 'triangle'] as const) {
+    for (const technique of ['engraving', 'adjacency', 'triangle'] as const) {
       expect(named(new HatchingMaterial({ technique })), technique).toEqual(['technique']);
     }
     // The default of one technique is not that of another.
-    const { strokeLayers } = new HatchingMaterial({ technique: 'engraved' });
-    const other = new HatchingMaterial({ technique: 'anchored', strokeLayers, tilesPerObjectUnit: 7 });
+    const { strokeLayers } = new HatchingMaterial({ technique: 'engraving' });
+    const other = new HatchingMaterial({ technique: 'hatching', strokeLayers, tilesPerObjectUnit: 7 });
     expect(named(other)).toEqual(expect.arrayContaining(['tilesPerObjectUnit']));
     expect(read(JSON.stringify(other.toJSON()))).toMatchObject({ strokeLayers, tilesPerObjectUnit: 7 });
   });
@@ -117,7 +117,7 @@ describe('JSON of a material, from anywhere', () => {
 
   test('warns of what the technique does not use only once it knows the technique', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
-    read('{ "smudge": 0.5, "technique": "anchored" }');
+    read('{ "smudge": 0.5, "technique": "dryMedia" }');
     expect(warn).not.toHaveBeenCalled();
   });
 });

@@ -11,28 +11,28 @@ const isPlain = (material: HatchingMaterial): boolean =>
 // Each test is the first to use its part: parts are fetched once.
 describe('code that is fetched when a material first uses it', () => {
   test('is none for strokes of ink', async () => {
-    const material = new HatchingMaterial({ technique: 'anchored' });
+    const material = new HatchingMaterial({ technique: 'hatching' });
     expect(isPlain(material)).toBe(false);
     expect(material.fragmentShader).toContain('latticeSpacing');
     await material.ready;
   });
 
   test('leaves the surface plain until it has loaded, and then changes the program', async () => {
-    const material = new HatchingMaterial({ technique: 'engraved' });
+    const material = new HatchingMaterial({ technique: 'engraving' });
     expect(isPlain(material)).toBe(true);
     const { version } = material;
     await material.ready;
     expect(isPlain(material)).toBe(false);
     expect(material.fragmentShader).toContain('lineSpacing');
     expect(material.version).toBe(version + 1);
-    expect(isPlain(new HatchingMaterial({ technique: 'engraved' }))).toBe(false);
+    expect(isPlain(new HatchingMaterial({ technique: 'engraving' }))).toBe(false);
   });
 
   test('leaves a material unchanged until it has loaded', async () => {
-    const material = new HatchingMaterial({ technique: 'anchored' });
+    const material = new HatchingMaterial({ technique: 'hatching' });
     const { fragmentShader, version } = material;
     const defines = { ...material.defines };
-    material.medium = 'dry';
+    material.technique = 'dryMedia';
     expect([material.fragmentShader, material.version]).toEqual([fragmentShader, version]);
     expect(material.defines).toEqual(defines);
     await material.ready;
@@ -42,11 +42,11 @@ describe('code that is fetched when a material first uses it', () => {
   });
 
   test('is not awaited if the look changes back in the meantime', async () => {
-    const material = new HatchingMaterial({ technique: 'anchored' });
+    const material = new HatchingMaterial({ technique: 'hatching' });
     const { fragmentShader, version } = material;
-    material.medium = 'stipple';
+    material.technique = 'stipple';
     const stippled = material.ready;
-    material.medium = 'ink';
+    material.technique = 'hatching';
     await Promise.all([stippled, material.ready]);
     expect([material.fragmentShader, material.version]).toEqual([fragmentShader, version]);
   });
@@ -62,27 +62,25 @@ describe('code that is fetched when a material first uses it', () => {
 
   test('is complete after preload', async () => {
     await HatchingMaterial.preload();
-    for (const technique of ['triangle', 'adjacency', 'engraved'] as const) {
+    for (const technique of ['triangle', 'adjacency', 'dryMedia', 'stipple', 'engraving'] as const) {
       expect(isPlain(new HatchingMaterial({ technique }))).toBe(false);
-      expect(fetchedPart(partNameOf(technique, 'ink')!)).toBeDefined();
+      expect(fetchedPart(partNameOf(technique)!)).toBeDefined();
     }
-    for (const medium of ['dry', 'stipple'] as const)
-      expect(fetchedPart(partNameOf('anchored', medium)!)).toBeDefined();
   });
 
   test('is reported in one sentence if it cannot be fetched, and fetched again on next use', async () => {
     vi.resetModules();
-    vi.doMock('../../../src/material/parts/engraved.js', () => {
+    vi.doMock('../../../src/material/parts/lines.js', () => {
       throw new Error('offline');
     });
     const errors = vi.spyOn(console, 'error').mockImplementation(() => {});
     const { HatchingMaterial } = await import('../../../src/material/HatchingMaterial.js');
-    const material = new HatchingMaterial({ technique: 'engraved' });
+    const material = new HatchingMaterial({ technique: 'engraving' });
     const sentence =
-      /^HatchingMaterial: the code that draws the technique "engraved" could not be fetched \(.*\); .*Serve all/s;
+      /^HatchingMaterial: the code that draws the techniques "engraving", "pen" and "woodcut" could not be fetched \(.*\); .*Serve all/s;
     await expect(material.ready).rejects.toThrow(sentence);
     expect(errors.mock.calls).toEqual([[expect.stringMatching(sentence)]]);
-    vi.doUnmock('../../../src/material/parts/engraved.js');
+    vi.doUnmock('../../../src/material/parts/lines.js');
     await material.ready;
     expect(material.fragmentShader).toContain('lineSpacing');
   });

@@ -36,7 +36,7 @@ const SIZES = {
 test.each(
   [0.5, 1, 2].flatMap((pixelRatio) => [0, 0.5, 1].map((screenSpaceShare) => [pixelRatio, screenSpaceShare] as const)),
 )('sizes are in CSS pixels: at a pixel ratio of %d, sized on the screen by %d', (pixelRatio, screenSpaceShare) => {
-  for (const technique of ['adjacency', 'anchored', 'engraved'] as const) {
+  for (const technique of ['adjacency', 'hatching', 'engraving'] as const) {
     const look: HatchingMaterialParameters = { technique, screenSpaceShare, ...SIZES };
     const scaled = new HatchingMaterial({ ...look, ...scaledSizes(look, pixelRatio) });
     const material = new HatchingMaterial(look);
@@ -46,14 +46,14 @@ test.each(
 });
 
 test('the edges of strokes are equally soft at any pixel ratio, and lines may be two pixels of the drawing buffer apart', () => {
-  const material = new HatchingMaterial({ technique: 'engraved', minLineSpacing: 3 });
+  const material = new HatchingMaterial({ technique: 'engraving', minLineSpacing: 3 });
   const uniforms = [0.5, 1, 2].map((pixelRatio) => Object.fromEntries(numbersOf(material, rendererOf(pixelRatio))));
   expect(uniforms.map(({ edgePixels }) => edgePixels)).toEqual([1, 1, 1]);
   expect(uniforms.map(({ minLineSpacing }) => minLineSpacing)).toEqual([2, 3, 6]);
 });
 
 test('two renderers of different pixel ratios share a material, also in frames of the same number', () => {
-  const material = new HatchingMaterial({ technique: 'anchored', strokeWidth: 2 });
+  const material = new HatchingMaterial({ technique: 'hatching', strokeWidth: 2 });
   const [screen, dense] = [rendererOf(1), rendererOf(3)];
   const sizes = [screen, dense, screen].map((renderer) => Object.fromEntries(numbersOf(material, renderer)).dotPixels);
   expect(sizes).toEqual([2, 6, 2]);

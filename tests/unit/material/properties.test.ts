@@ -39,7 +39,8 @@ function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
     case 'tonalArtMap':
       return TonalArtMap.fromHatchImages({ size: 2, images: [[new Uint8Array(4).fill(255)], [new Uint8Array(4)]] });
     case 'choice':
-      return Object.keys(row.choices).find((choice) => choice !== HATCHING_DEFAULTS[name]);
+      // One that the first technique knows.
+      return (row.choicesFor?.strokes ?? Object.keys(row.choices)).find((choice) => choice !== HATCHING_DEFAULTS[name]);
     case 'switch':
       return true;
     case 'curve':
@@ -82,7 +83,7 @@ describe('the table of properties', () => {
 describe('every property', () => {
   test('has its default', () => {
     const material = new HatchingMaterial();
-    for (const name of names) expect(plain(material[name]), name).toEqual(defaultOf(name, 'anchored'));
+    for (const name of names) expect(plain(material[name]), name).toEqual(defaultOf(name, 'hatching'));
   });
 
   test('is copied', () => {
@@ -149,10 +150,10 @@ describe('a property that does not count for the technique', () => {
   });
 
   test('is remembered for the technique that uses it', () => {
-    const material = new HatchingMaterial({ technique: 'anchored' });
+    const material = new HatchingMaterial({ technique: 'hatching' });
     material.levelRule = 'depth';
     material.crisp = true;
-    expect(material.defines).toEqual(new HatchingMaterial({ technique: 'anchored' }).defines);
+    expect(material.defines).toEqual(new HatchingMaterial({ technique: 'hatching' }).defines);
     material.technique = 'adjacency';
     const expected = new HatchingMaterial({ technique: 'adjacency', levelRule: 'depth', crisp: true });
     expect(material.defines).toEqual(expected.defines);
@@ -160,11 +161,11 @@ describe('a property that does not count for the technique', () => {
 
   test('causes one warning if it is set to another value than its default', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
-    new HatchingMaterial({ technique: 'anchored', blendAngle: HATCHING_DEFAULTS.blendAngle });
+    new HatchingMaterial({ technique: 'hatching', blendAngle: HATCHING_DEFAULTS.blendAngle });
     expect(warn).not.toHaveBeenCalled();
-    for (let i = 0; i < 2; i++) new HatchingMaterial({ blendAngle: 1, technique: 'anchored' });
+    for (let i = 0; i < 2; i++) new HatchingMaterial({ blendAngle: 1, technique: 'hatching' });
     expect(warn.mock.calls).toEqual([
-      ['HatchingMaterial: "blendAngle" is not used by the technique "anchored", only by adjacency.'],
+      ['HatchingMaterial: "blendAngle" is not used by the technique "hatching", only by adjacency.'],
     ]);
   });
 });
@@ -257,17 +258,17 @@ describe('JSON', () => {
 
   test("three's own loader finds the class once it is registered", () => {
     MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial);
-    const source = new HatchingMaterial({ ink: 'navy', tilesPerObjectUnit: 5, technique: 'anchored' });
+    const source = new HatchingMaterial({ ink: 'navy', tilesPerObjectUnit: 5, technique: 'hatching' });
     const made = new MaterialLoader().parse(JSON.parse(JSON.stringify(source.toJSON())));
     expect(made).toBeInstanceOf(HatchingMaterial);
-    expect(made).toMatchObject({ tilesPerObjectUnit: 5, technique: 'anchored', ink: source.ink });
+    expect(made).toMatchObject({ tilesPerObjectUnit: 5, technique: 'hatching', ink: source.ink });
   });
 });
 
 describe('what belongs to the user', () => {
   test('defines are added to the material’s own', () => {
-    const plainDefines = new HatchingMaterial({ technique: 'anchored' }).defines;
-    const material = new HatchingMaterial({ defines: { MINE: 1 }, technique: 'anchored' });
+    const plainDefines = new HatchingMaterial({ technique: 'hatching' }).defines;
+    const material = new HatchingMaterial({ defines: { MINE: 1 }, technique: 'hatching' });
     expect(material.defines).toEqual({ ...plainDefines, MINE: 1 });
     expect(material.clone().defines).toEqual(material.defines);
   });
@@ -292,7 +293,7 @@ describe('what belongs to the user', () => {
   });
 
   test('toneNormal returns to the default of the technique', () => {
-    const material = new HatchingMaterial({ technique: 'anchored', toneNormal: 'face' });
+    const material = new HatchingMaterial({ technique: 'hatching', toneNormal: 'face' });
     material.toneNormal = 'auto';
     expect(material.toneNormal).toBe('smooth');
     material.technique = 'triangle';

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { formFieldOf, runsAway } from '../../../src/look/queries.js';
+import { formOf, runsAway } from '../../../src/look/queries.js';
 import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 
@@ -13,13 +13,13 @@ describe('shadows alone', () => {
     };
     for (const technique of ['triangle', 'adjacency'] as const)
       expect(valuesOf(technique)).toEqual([1, 0, 0, 'strokes']);
-    for (const technique of ['anchored', 'engraved'] as const)
+    for (const technique of ['hatching', 'engraving'] as const)
       expect(valuesOf(technique)).toEqual([0.5, 0.65, 0.12, 'away']);
   });
 
   test('that run away from the light are drawn in one layer by one program, whatever the other properties', () => {
-    const crossed = { shadowStrokes: 'cross', strokeLayers: 'tone', strokeField: 'form' } as const;
-    const plain = { shadowStrokes: 'tone', strokeLayers: 'single', strokeField: 'light' } as const;
+    const crossed = { shadowStrokes: 'cross', strokeLayers: 'tone', direction: 'form' } as const;
+    const plain = { shadowStrokes: 'tone', strokeLayers: 'single', direction: 'light' } as const;
     const [away, single] = [crossed, plain].map((look) => new HatchingMaterial({ ...SHADOW, ...look }).defines);
     expect(away).toEqual(single);
     const asStrokes = new HatchingMaterial({ ...SHADOW, ...crossed, shadowDirection: 'strokes' }).defines;
@@ -28,7 +28,7 @@ describe('shadows alone', () => {
 
   test('that run away from the light are neither turned nor crossed', () => {
     const { uniforms } = new HatchingMaterial({ ...SHADOW, strokeAngle: 0.3, crossFrom: 0.2 });
-    expect(uniforms.strokeDirection.value.toArray()).toEqual([expect.closeTo(0), 1]);
+    expect(uniforms.strokeDirection.value.toArray()).toEqual([expect.closeTo(0), -1]);
     expect(uniforms.crossFrom.value).toBe(1);
     const other = new HatchingMaterial({ strokeAngle: 0.3, crossFrom: 0.2 });
     expect(other.uniforms.strokeDirection.value.toArray()).toEqual([Math.cos(0.3), Math.sin(0.3)]);
@@ -36,9 +36,9 @@ describe('shadows alone', () => {
   });
 
   test('need no form field', () => {
-    const look = { technique: 'engraved', lineField: 'form' } as const;
-    expect(formFieldOf(look)).toBe('lineField');
-    expect(formFieldOf({ ...look, ...SHADOW })).toBeUndefined();
+    const look = { technique: 'engraving', direction: 'form' } as const;
+    expect(formOf(look)).toBe(true);
+    expect(formOf({ ...look, ...SHADOW })).toBe(false);
     expect(runsAway({ ...look, ...SHADOW, shadowDirection: 'strokes' })).toBe(false);
     expect(runsAway(look)).toBe(false);
   });

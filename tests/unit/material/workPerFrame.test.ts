@@ -13,7 +13,7 @@ const rendererAt = (frame: number): WebGLRenderer =>
 
 /** A material that counts reads of its map: by the code that writes it to the uniforms, or that looks for another program. */
 function countingMaterial() {
-  const material = new HatchingMaterial({ technique: 'anchored' });
+  const material = new HatchingMaterial({ technique: 'hatching' });
   const count = { reads: 0 };
   Object.defineProperty(material, 'map', {
     get: () => {

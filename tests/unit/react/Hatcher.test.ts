@@ -65,24 +65,24 @@ test('values change in place: the geometry, the material and the outlines stay',
   const { mesh, hatcher, hatched, next } = atWork({ preset: 'technical' });
   await next();
   const [geometry, material, lines] = [mesh.geometry, materialOf(mesh), mesh.children[0]];
-  hatcher.update({ preset: 'engraving', material: { ink: '#123456', lineField: 'light' }, outlines: { taper: 0 } });
+  hatcher.update({ preset: 'engraving', material: { ink: '#123456', direction: 'light' }, outlines: { taper: 0 } });
   await next();
   expect([mesh.geometry, mesh.material, mesh.children[0]]).toEqual([geometry, material, lines]);
   expect(material.ink.getHexString()).toBe('123456');
-  expect([material.lineField, material.irregularity]).toEqual(['light', presets.engraving.material.irregularity]);
+  expect([material.direction, material.irregularity]).toEqual(['light', presets.engraving.material.irregularity]);
   const [{ material: look }] = hatched[0].outlines;
   // Those of `technical`, which draws outlines of even weight; `engraving` leaves them at their defaults.
   expect([look.taper, look.weights.creases, look.weights.lit, look.weights.shade]).toEqual([0, 0.35, 0.7, 1.7]);
-  hatcher.update({ preset: 'engraving', material: { lineField: 'light' } });
+  hatcher.update({ preset: 'engraving', material: { direction: 'light' } });
   await next();
   expect(look.taper).toBe(0.8);
   const outlines = (weights: object) => ({ preset: 'engraving', outlines: { weights } }) as const;
-  hatcher.update({ ...outlines({ creases: 0 }), material: { lineField: 'light' } });
+  hatcher.update({ ...outlines({ creases: 0 }), material: { direction: 'light' } });
   await next();
-  hatcher.update({ ...outlines({ shade: 3 }), material: { lineField: 'light' } });
+  hatcher.update({ ...outlines({ shade: 3 }), material: { direction: 'light' } });
   await next();
   expect([look.weights.creases, look.weights.shade]).toEqual([0.35, 3]);
-  hatcher.update({ preset: 'engraving', material: { lineField: 'light' } });
+  hatcher.update({ preset: 'engraving', material: { direction: 'light' } });
   await next();
   expect(look.weights.shade).toBe(1.7);
   expect(materialOf(mesh).ink.getHexString()).toBe('1c1a17');
@@ -102,15 +102,15 @@ test('strokes that come to follow the form hatch anew, and turn across it or to 
   await next();
   const geometries = [mesh.geometry];
   for (const material of [
-    { strokeField: 'form' },
-    { strokeField: 'acrossForm' },
-    { strokeField: 'acrossForm', crossAngle: 1 },
-    { strokeField: 'light' },
-    { technique: 'engraved', lineField: 'form' },
+    { direction: 'form' },
+    { direction: 'acrossForm' },
+    { direction: 'acrossForm', crossAngle: 1 },
+    { direction: 'light' },
+    { technique: 'engraving', direction: 'form' },
   ] as const) {
     hatcher.update({ tonalArtMap: SMALL_MAP, material });
     await next();
-    expect(materialOf(mesh).strokeField).toBe('strokeField' in material ? material.strokeField : 'light');
+    expect(materialOf(mesh).direction).toBe('direction' in material ? material.direction : 'light');
     geometries.push(mesh.geometry);
   }
   const [light, form, across, atAngle, lightAgain, lines] = geometries;
@@ -151,23 +151,23 @@ test('a map is drawn once something is drawn with it', async () => {
   const progress: number[] = [];
   const tonalArtMap = { ...SMALL_MAP, seed: 7 };
   const options = { tonalArtMap, onProgress: (share: number) => void progress.push(share) };
-  const { mesh, hatcher, errors, next } = atWork({ ...options, material: { technique: 'engraved' } });
+  const { mesh, hatcher, errors, next } = atWork({ ...options, material: { technique: 'engraving' } });
   await next();
-  expect(materialOf(mesh)).toMatchObject({ technique: 'engraved', tonalArtMap: 'hatching' });
+  expect(materialOf(mesh)).toMatchObject({ technique: 'engraving', tonalArtMap: 'hatching' });
   expect(progress.at(-1)).toBe(1);
   // If the geometry serves both, it is set in place; otherwise the geometry is prepared again.
-  hatcher.update({ ...options, material: () => ({ technique: 'engraved', ink: 'navy' }) });
+  hatcher.update({ ...options, material: () => ({ technique: 'engraving', ink: 'navy' }) });
   await next();
   expect(shared).not.toHaveBeenCalled();
-  hatcher.update({ ...options, material: { technique: 'engraved' } });
+  hatcher.update({ ...options, material: { technique: 'engraving' } });
   await next();
   const { geometry } = mesh;
-  for (const technique of ['anchored', 'engraved', 'anchored', 'adjacency'] as const) {
+  for (const technique of ['hatching', 'engraving', 'hatching', 'adjacency'] as const) {
     hatcher.update({ ...options, material: { technique } });
     await next();
     expect(mesh.geometry === geometry, technique).toBe(technique !== 'adjacency');
     const map = materialOf(mesh).tonalArtMap;
-    if (technique === 'engraved') expect(map).toBe('hatching');
+    if (technique === 'engraving') expect(map).toBe('hatching');
     else expect(map).toBeInstanceOf(TonalArtMap);
   }
   expect([new Set(shared.mock.results.map(({ value }) => value)).size, errors]).toEqual([1, []]);
@@ -363,12 +363,12 @@ test('a large mesh that follows the form only later is drawn once more, and not 
   const { mesh, hatcher, hatched, formed, next } = atWork({ preset: 'technical' });
   await next();
   mesh.geometry = new TorusGeometry(1, 0.4, 16, 32);
-  hatcher.update({ material: { technique: 'engraved', lineField: 'form' } });
+  hatcher.update({ material: { technique: 'engraving', direction: 'form' } });
   await Promise.all([next(), formed]);
   const { geometry } = mesh;
   expect(geometry.hasAttribute('formValue')).toBe(true);
   hatcher.follow();
-  hatcher.update({ material: { technique: 'engraved', lineField: 'form', ink: '#123456' } });
+  hatcher.update({ material: { technique: 'engraving', direction: 'form', ink: '#123456' } });
   await next();
   expect(materialOf(mesh).ink.getHexString()).toBe('123456');
   expect(mesh.geometry).toBe(geometry);
@@ -379,7 +379,7 @@ test('at another angle of crossing lines geometry is baked anew, and with other 
   const { mesh, hatcher, hatched, next } = atWork({ preset: 'technical' });
   await next();
   mesh.geometry = new TorusGeometry(1, 0.4, 8, 16);
-  const material = { technique: 'engraved', lineField: 'form', crossAngle: 1 } as const;
+  const material = { technique: 'engraving', direction: 'form', crossAngle: 1 } as const;
   const geometries = [];
   for (const change of [{}, { crossAngle: 1.2 }, { crossAngle: 1.2, ink: '#123456' }]) {
     hatcher.update({ material: { ...material, ...change } });

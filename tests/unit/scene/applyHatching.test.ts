@@ -66,7 +66,7 @@ describe('the hatched scene', () => {
     const source = new MeshStandardMaterial({ transparent: true });
     const mesh = new Mesh(new BoxGeometry(), source);
     mesh.layers.set(1);
-    const scene = await applyHatching(new Group().add(mesh), { outlines: true, material: { technique: 'engraved' } });
+    const scene = await applyHatching(new Group().add(mesh), { outlines: true, material: { technique: 'engraving' } });
     const [outlines] = scene.outlines;
     expect(outlines.layers.mask).toBe(mesh.layers.mask);
     mesh.layers.set(2);
@@ -90,7 +90,7 @@ describe('the hatched scene', () => {
       );
       const { outlines, skipped } = await applyHatching(group, {
         outlines: true,
-        material: { technique: 'engraved' },
+        material: { technique: 'engraving' },
       });
       const has = outlines.some(({ mesh }) => mesh === group.children[0]);
       expect(skipped.map(({ mesh }) => mesh)).toEqual(has ? [] : [group.children[0]]);
@@ -295,7 +295,7 @@ describe('the hatched scene', () => {
     };
     const anchored = make();
     const { geometry } = anchored;
-    await applyHatching(anchored, { tonalArtMap, material: { technique: 'anchored' } });
+    await applyHatching(anchored, { tonalArtMap, material: { technique: 'hatching' } });
     expect(anchored.geometry).toBe(geometry);
     hatched(anchored);
     await expect(applyHatching(make(), { tonalArtMap, material: { technique: 'adjacency' } })).rejects.toThrow(
@@ -314,11 +314,11 @@ describe('the hatched scene', () => {
     const layouts = () => [a, b, c].map(({ geometry }) => geometry.userData.hatching.layout);
     const scene = await applyHatching(root, {
       tonalArtMap,
-      material: ({ name }) => ({ technique: name === 'special' ? 'adjacency' : 'anchored' }),
+      material: ({ name }) => ({ technique: name === 'special' ? 'adjacency' : 'hatching' }),
     });
     expect(layouts()).toEqual(['corner', 'corner', 'indexed']);
     scene.dispose();
-    await applyHatching(root, { tonalArtMap, layout: 'corner', material: { technique: 'anchored' } });
+    await applyHatching(root, { tonalArtMap, layout: 'corner', material: { technique: 'hatching' } });
     expect(layouts()).toEqual(['corner', 'corner', 'corner']);
   });
 });
@@ -329,12 +329,12 @@ describe('an array of materials with holes', () => {
     ['null', null],
   ];
   test.each(holes)('keeps them, whatever the technique: %s', async (_what, hole) => {
-    for (const technique of ['anchored', 'adjacency'] as const) {
+    for (const technique of ['hatching', 'adjacency'] as const) {
       const mesh = new Mesh(new BoxGeometry(), [new MeshBasicMaterial(), hole as Material, new MeshBasicMaterial()]);
       const { materials, skipped } = await applyHatching(mesh, { tonalArtMap, material: { technique } });
       expect(mesh.material).toEqual([materials[0], hole, materials[1]]);
       expect(skipped).toEqual([]);
-      expect(mesh.geometry.userData.hatching.layout).toBe(technique === 'anchored' ? 'indexed' : 'corner');
+      expect(mesh.geometry.userData.hatching.layout).toBe(technique === 'hatching' ? 'indexed' : 'corner');
     }
   });
 
@@ -391,7 +391,7 @@ describe('restoring', () => {
     batch.addInstance(batch.addGeometry(new BoxGeometry()));
     const gone = disposals();
     gone.watch([batch.geometry]);
-    (await applyHatching(batch, { tonalArtMap, material: { technique: 'anchored' } })).dispose();
+    (await applyHatching(batch, { tonalArtMap, material: { technique: 'hatching' } })).dispose();
     expect(gone.count).toBe(0);
   });
 });

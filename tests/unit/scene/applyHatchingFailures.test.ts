@@ -143,7 +143,7 @@ describe('errors', () => {
       },
       /listener/,
     ],
-    ['a wrong parameter', () => ({ material: { technique: 'magic' as 'anchored' } }), /"magic" is not known/],
+    ['a wrong parameter', () => ({ material: { technique: 'magic' as 'hatching' } }), /"magic" is not known/],
     ['a wrong option', () => ({ creaseAngle: 90 }), /creaseAngle is 90/],
   ];
   test.each(failures)('%s: the scene is unchanged', async (_how, optionsOf, says) => {

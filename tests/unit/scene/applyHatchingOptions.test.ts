@@ -146,15 +146,14 @@ describe('options', () => {
   });
 
   test.each<[ApplyHatchingOptions, boolean]>([
-    [{ preset: 'engraving', material: { technique: 'anchored' } }, true],
-    [{ preset: 'stipple', material: { medium: 'ink' } }, true],
-    [{ preset: 'stipple', material: () => ({ medium: 'dry' }) }, true],
+    [{ preset: 'engraving', material: { technique: 'hatching' } }, true],
+    [{ preset: 'stipple', material: { technique: 'hatching' } }, true],
+    [{ preset: 'stipple', material: () => ({ technique: 'dryMedia' }) }, true],
     [{ preset: 'engraving' }, false],
-    [{ preset: 'pencil', material: { technique: 'engraved' } }, false],
-    // Only `anchored` has a medium.
-    [{ material: { technique: 'adjacency', medium: 'stipple' } }, true],
-    [{ material: { technique: 'anchored', medium: 'stipple' } }, false],
-    [{ preset: 'engraving', material: { technique: 'anchored' }, tonalArtMap: null }, false],
+    [{ preset: 'pencil', material: { technique: 'engraving' } }, false],
+    [{ material: { technique: 'adjacency' } }, true],
+    [{ material: { technique: 'stipple' } }, false],
+    [{ preset: 'engraving', material: { technique: 'hatching' }, tonalArtMap: null }, false],
   ])('a map is made where the look is drawn with one, and only there: %j', async (options, isDrawn) => {
     const drawn = TonalArtMap.fromHatchImages({ size: 1, images: [[new Uint8Array([255])], [new Uint8Array(1)]] });
     const shared = vi.spyOn(TonalArtMap, 'shared').mockReturnValue(drawn);

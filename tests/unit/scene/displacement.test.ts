@@ -14,7 +14,7 @@ import {
 import { expect, test } from 'vitest';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 
-const options = { tonalArtMap: null, outlines: true, material: { technique: 'anchored' } } as const;
+const options = { tonalArtMap: null, outlines: true, material: { technique: 'hatching' } } as const;
 const SIZE = 8;
 
 /** A picture that rises from 0 on the left to 1 on the right. */

@@ -21,7 +21,7 @@ import type { ApplyHatchingOptions } from '../../../src/scene/ApplyHatchingOptio
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { geometryPlans, type PlannedMesh } from '../../../src/scene/geometryPlans.js';
 
-const following = { technique: 'engraved', lineField: 'form' } as const;
+const following = { technique: 'engraving', direction: 'form' } as const;
 const ring = () => new Mesh(new TorusGeometry(1, 0.4, 8, 16), new MeshStandardMaterial());
 
 const planOf = (mesh: Mesh, material: HatchingMaterial, options: ApplyHatchingOptions = {}) => {
@@ -33,9 +33,9 @@ const planOf = (mesh: Mesh, material: HatchingMaterial, options: ApplyHatchingOp
 test('a geometry is baked with a form field only if its material follows the form', async () => {
   const scene = new Group().add(ring(), ring());
   const [first, second] = scene.children as Mesh[];
-  await applyHatching(scene, { material: (_, mesh) => (mesh === first ? following : { technique: 'engraved' }) });
+  await applyHatching(scene, { material: (_, mesh) => (mesh === first ? following : { technique: 'engraving' }) });
   expect([first, second].map((mesh) => mesh.geometry.hasAttribute('formValue'))).toEqual([true, false]);
-  expect((scene.children as Mesh[]).map(({ geometry }) => geometry.userData.hatching.lineField)).toEqual([
+  expect((scene.children as Mesh[]).map(({ geometry }) => geometry.userData.hatching.direction)).toEqual([
     'form',
     'light',
   ]);
@@ -44,7 +44,7 @@ test('a geometry is baked with a form field only if its material follows the for
 test('a geometry that two meshes share has a form field if one of them follows the form', async () => {
   const [first, second] = [ring(), ring()];
   second.geometry = first.geometry;
-  const material = (_: unknown, mesh: Mesh) => (mesh === second ? following : { technique: 'engraved' as const });
+  const material = (_: unknown, mesh: Mesh) => (mesh === second ? following : { technique: 'engraving' as const });
   await applyHatching(new Group().add(first, second), { material });
   expect(first.geometry).toBe(second.geometry);
   expect(first.geometry.hasAttribute('formValue')).toBe(true);
@@ -64,16 +64,16 @@ test('lines cross at the angle of the material, and run across the up of the wor
 
 test('with auto, a shape that has a form is baked with it, and one of flat faces without', async () => {
   const scene = new Group().add(ring(), new Mesh(new BoxGeometry(1, 1, 1, 4, 4, 4), new MeshStandardMaterial()));
-  await applyHatching(scene, { material: { technique: 'engraved', lineField: 'auto' } });
+  await applyHatching(scene, { material: { technique: 'engraving', direction: 'auto' } });
   expect((scene.children as Mesh[]).map(({ geometry }) => geometry.hasAttribute('formValue'))).toEqual([true, false]);
 });
 
 test('strokes that follow the form need a field too', async () => {
   const scene = new Group().add(ring(), ring());
   const [first, second] = scene.children as Mesh[];
-  await applyHatching(scene, { material: (_, mesh) => (mesh === first ? { strokeField: 'form' } : {}) });
+  await applyHatching(scene, { material: (_, mesh) => (mesh === first ? { direction: 'form' } : {}) });
   expect([first, second].map((mesh) => mesh.geometry.hasAttribute('formSlope'))).toEqual([true, false]);
-  expect(planOf(ring(), new HatchingMaterial({ strokeField: 'form', lineField: 'auto' })).form).toMatchObject({
+  expect(planOf(ring(), new HatchingMaterial({ direction: 'form' })).form).toMatchObject({
     auto: false,
   });
 });
@@ -89,7 +89,7 @@ test('options override both, and may request a field or refuse it', () => {
   const form = { up: [0, 0, 1], crossAngle: 0.5, reach: 0.2 } as const;
   expect(planOf(ring(), material, { form }).form).toMatchObject(form);
   expect(planOf(ring(), material, { form: false }).form).toBe(false);
-  const plain = new HatchingMaterial({ technique: 'engraved' });
+  const plain = new HatchingMaterial({ technique: 'engraving' });
   expect(planOf(ring(), plain).form).toBe(false);
   expect(planOf(ring(), plain, { form: true }).form).toEqual({ auto: false, up: [0, 1, 0] });
   expect(planOf(new Mesh(ring().geometry, new MeshBasicMaterial()), plain).form).toBe(false);

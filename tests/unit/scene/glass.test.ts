@@ -12,7 +12,7 @@ async function hatched(
   const mesh = new Mesh<BufferGeometry, MeshPhysicalMaterial>(new BoxGeometry(), new MeshPhysicalMaterial(source));
   const { materials } = await applyHatching(new Group().add(mesh), {
     tonalArtMap: null,
-    material: { technique: 'engraved', toneCurve: 'perceptual', occlusion: 1, ...parameters },
+    material: { technique: 'engraving', toneCurve: 'perceptual', occlusion: 1, ...parameters },
   });
   return materials[0];
 }

@@ -15,9 +15,9 @@ test.each(['corner', 'indexed'] as const)(
   async (layout) => {
     MaterialLoader.registerMaterial('HatchingMaterial', HatchingMaterial as never);
     const geometry = await prepareHatchingGeometry(new BoxGeometry(), { layout });
-    const mesh = new Mesh(geometry, new HatchingMaterial({ technique: 'engraved', lineSpacing: 7, ink: '#123456' }));
+    const mesh = new Mesh(geometry, new HatchingMaterial({ technique: 'engraving', lineSpacing: 7, ink: '#123456' }));
     const { geometry: back, material } = loaded(mesh);
-    expect([material.technique, material.lineSpacing, material.ink.getHexString()]).toEqual(['engraved', 7, '123456']);
+    expect([material.technique, material.lineSpacing, material.ink.getHexString()]).toEqual(['engraving', 7, '123456']);
     expect(Object.keys(back.attributes)).toEqual(Object.keys(geometry.attributes));
     for (const [name, { array, normalized }] of Object.entries(geometry.attributes)) {
       expect([name, back.attributes[name].array, back.attributes[name].normalized]).toEqual([name, array, normalized]);

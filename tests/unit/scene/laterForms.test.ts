@@ -20,7 +20,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const following = { technique: 'engraved', lineField: 'form' } as const;
+const following = { technique: 'engraving', direction: 'form' } as const;
 const small = () => new Mesh(new TorusGeometry(1, 0.4, 8, 16), new MeshStandardMaterial());
 const large = () => new Mesh(new TorusGeometry(1, 0.4, 16, 32), new MeshStandardMaterial());
 const isFormed = ({ geometry }: Mesh<BufferGeometry>): boolean => geometry.hasAttribute('formValue');
@@ -107,7 +107,7 @@ test('if the field cannot be baked, lines go by the light, and the console says 
 });
 
 test('where lines follow the light there is nothing to wait for', async () => {
-  const hatched = await applyHatching(new Group().add(large()), { material: { technique: 'engraved' } });
+  const hatched = await applyHatching(new Group().add(large()), { material: { technique: 'engraving' } });
   expect(await hatched.formReady).toEqual([]);
 });
 

@@ -17,7 +17,7 @@ import { expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 
-const options = { tonalArtMap: null, material: { technique: 'anchored' } } as const;
+const options = { tonalArtMap: null, material: { technique: 'hatching' } } as const;
 
 class MirrorMaterial extends MeshStandardMaterial {
   override onBeforeCompile(): void {}

@@ -1,5 +1,6 @@
 import { BoxGeometry, Mesh, MeshBasicMaterial } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
+import { drawsLines } from '../../../src/look/queries.js';
 import { type FittedToneCurve, fittedCurve } from '../../../src/material/fitToneCurve.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
@@ -109,9 +110,9 @@ describe('scalePreset', () => {
         expect(got, key).toEqual(sizes.includes(key) ? 2 * Number(value) : value);
       }
     }
-    expect(
-      material.technique === 'engraved' ? scaled.material.lineSpacing : scaled.material.strokeWidth,
-    ).toBeGreaterThan(0);
+    expect(drawsLines(material.technique!) ? scaled.material.lineSpacing : scaled.material.strokeWidth).toBeGreaterThan(
+      0,
+    );
     expect(scaled.outlines.outlineWidth).toBe(2 * outlines.outlineWidth!);
     expect(scaled.tonalArtMap).toBe(tonalArtMap);
   });

@@ -26,7 +26,7 @@ test('a scene in a ref is hatched and restored, by proxy or directly', async () 
 });
 
 test('a material in a ref takes values, keeps them, and draws with the map itself', () => {
-  const held = ref(new HatchingMaterial({ technique: 'anchored' }));
+  const held = ref(new HatchingMaterial({ technique: 'hatching' }));
   const material = held.value as unknown as HatchingMaterial;
   material.tonalArtMap = reactive({ map }).map as unknown as TonalArtMap;
   material.ink.set('#123456');

@@ -69,7 +69,7 @@ test('applyHatching takes a name instead of options, or among them', async () =>
     const mesh = new Mesh(new SphereGeometry(1, 8, 6), new MeshBasicMaterial());
     const hatched = await applyHatching(mesh, options);
     const material = mesh.material as unknown as HatchingMaterial;
-    expect([material.technique, material.lineField, material.lineSpacing]).toEqual(['engraved', 'y', 5]);
+    expect([material.technique, material.direction, material.lineSpacing]).toEqual(['engraving', 'y', 5]);
     expect(hatched.outlines.map((outlines) => outlines.material.outlineWidth)).toEqual([1.6]);
     hatched.dispose();
   }

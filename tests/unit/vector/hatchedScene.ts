@@ -23,8 +23,8 @@ export interface HatchedLook {
 
 /** An engraved mesh, with outlines unless `outlines` is null. */
 export async function hatchedMesh(source: BufferGeometry, { material = {}, outlines = {} }: HatchedLook = {}) {
-  const geometry = await prepareHatchingGeometry(source, { technique: 'engraved', outlines: outlines !== false });
-  const mesh = new Mesh(geometry, new HatchingMaterial({ technique: 'engraved', ...material }));
+  const geometry = await prepareHatchingGeometry(source, { technique: 'engraving', outlines: outlines !== false });
+  const mesh = new Mesh(geometry, new HatchingMaterial({ technique: 'engraving', ...material }));
   if (outlines !== false) mesh.add(new HatchingOutlines(mesh, outlines));
   return mesh;
 }
@@ -56,7 +56,7 @@ export const planeOfTone = (tone: number, material: HatchingMaterialParameters =
   hatchedMesh(new PlaneGeometry(3, 3, 8, 8), {
     outlines: false,
     material: {
-      lineField: 'slant',
+      direction: 'slant',
       irregularity: 0,
       crossFrom: 1,
       reflectedLight: 0,

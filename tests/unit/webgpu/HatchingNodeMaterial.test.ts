@@ -25,7 +25,7 @@ describe('HatchingNodeMaterial', () => {
     expect(() => nodes.setValues({ irregularity: 0.5, lineSpacing: -1 })).toThrow(RangeError);
     expect(nodes.irregularity).toBe(new HatchingMaterial().irregularity);
     expect(nodes.lineSpacing).toBe(7);
-    expect(() => new HatchingNodeMaterial({ technique: 'etched' as 'engraved' })).toThrow(/etched/);
+    expect(() => new HatchingNodeMaterial({ technique: 'etched' as 'engraving' })).toThrow(/etched/);
   });
 
   test('is copied with all its values, which stay independent', () => {
@@ -40,19 +40,19 @@ describe('HatchingNodeMaterial', () => {
     expect(copy.opacity).toBe(0.5);
     expect(copy.uniforms).not.toBe(source.uniforms);
     copy.ink.set(0xffffff);
-    copy.lineField = 'z';
+    copy.direction = 'z';
     expect(source.ink.getHex()).toBe(0x123456);
-    expect(source.lineField).not.toBe('z');
+    expect(source.direction).not.toBe('z');
   });
 
   test('selects a program by choices, never by numbers', () => {
     const key = (look: ConstructorParameters<typeof HatchingNodeMaterial>[0]): string =>
-      new HatchingNodeMaterial({ technique: 'engraved', ...look }).customProgramCacheKey();
+      new HatchingNodeMaterial({ technique: 'engraving', ...look }).customProgramCacheKey();
     expect(key({ lineSpacing: 9, ink: 0xff0000, irregularity: 0 })).toBe(key({}));
     const keys = [
       key({}),
-      key({ lineField: 'x' }),
-      key({ medium: 'pen' }),
+      key({ direction: 'x' }),
+      key({ technique: 'pen' }),
       key({ toneModel: 'toon' }),
       key({ strokeAnchor: 'deformed' }),
     ];

@@ -34,15 +34,15 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
   [/^(techniques\/(triangle|adjacency)|perTriangle)\//, 'only WebGLRenderer draws triangle and adjacency'],
   [/(^|\/)deform\.glsl$/, 'three.js deforms the vertices of node materials itself'],
   [
-    /^(chunks\/(debugViews|noNeighbours)|techniques\/(anchored|engraved)\/debug)\.glsl$/,
+    /^(chunks\/(debugViews|noNeighbours)|techniques\/(strokes|lines)\/debug)\.glsl$/,
     'only WebGLRenderer draws debug views',
   ],
   [/^chunks\/(emitMapCoordinates|mapCoordinates|smoothNormal)\.glsl$/, "three.js' nodes read maps and normals"],
   [/^(chunks\/environment|environment\/\w+)\.glsl$/, "three.js' nodes read environments"],
-  [/^chunks\/turnedShadowLayer\.glsl$/, 'its function is in anchored/layers.ts, the only nodes that use it'],
+  [/^chunks\/turnedShadowLayer\.glsl$/, 'its function is in strokes/layers.ts, the only nodes that use it'],
   [/^chunks\/(radiance|strokeLayers|toneNormals)\.glsl$/, 'its nodes are HatchingLightingModel.ts and hatchSurface.ts'],
   [
-    /^(perFragment|techniques\/(anchored|engraved))\/(faded|faceNormals|varyings|vertex|hatchLayer|layers)\.glsl$/,
+    /^(perFragment|techniques\/(strokes|lines))\/(faded|faceNormals|varyings|vertex|hatchLayer|layers)\.glsl$/,
     'it declares or composes what hatchSurface.ts does for nodes',
   ],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs outlines of nodes, and outlines/outlineNodes.ts clips them'],
@@ -110,40 +110,40 @@ const TOGETHER: Record<string, { glsl?: readonly string[]; nodes?: readonly stri
   // The chunk is included for flat maps and for cubes; its constants are defined before.
   'chunks/shadowSearch.glsl': { glsl: ['chunks/softShadows.glsl'] },
   'chunks/softShadows.glsl': { nodes: ['chunks/shadowSearch.glsl'] },
-  // A define of the medium is an argument of the nodes.
-  'chunks/crossedTones.glsl': { nodes: ['techniques/engraved/hatchLayer.glsl'] },
-  'techniques/engraved/hatchLayer.glsl': {
+  // A define of the technique is an argument of the nodes.
+  'chunks/crossedTones.glsl': { nodes: ['techniques/lines/hatchLayer.glsl'] },
+  'techniques/lines/hatchLayer.glsl': {
     glsl: ['chunks/crossedTones.glsl'],
-    nodes: ['nodes/engraved/strokeLengths.ts'],
+    nodes: ['nodes/lines/strokeLengths.ts'],
   },
   // Uniforms are declared in GLSL once per program, and in nodes where they are used first.
   'perFragment/screenGradient.glsl': { glsl: ['chunks/unitsPerPixel.glsl'] },
-  'techniques/anchored/dots.glsl': { nodes: ['techniques/anchored/stipple.glsl'] },
-  'techniques/anchored/stipple.glsl': {
-    glsl: ['techniques/anchored/dots.glsl'],
-    nodes: ['techniques/anchored/layers.glsl'],
+  'techniques/strokes/dots.glsl': { nodes: ['techniques/strokes/stipple.glsl'] },
+  'techniques/strokes/stipple.glsl': {
+    glsl: ['techniques/strokes/dots.glsl'],
+    nodes: ['techniques/strokes/layers.glsl'],
   },
-  'techniques/engraved/read.glsl': { nodes: ['techniques/engraved/emit.glsl'] },
+  'techniques/lines/read.glsl': { nodes: ['techniques/lines/emit.glsl'] },
   // Strokes use `octaves`, `powerOf2` and the fringe of lines too.
-  'techniques/engraved/ruledLines.glsl': { nodes: ['nodes/engraved/strokeLengths.ts'] },
+  'techniques/lines/ruledLines.glsl': { nodes: ['nodes/lines/strokeLengths.ts'] },
   // Instance matrices are read by `texelOf` too.
   'outlines/points.glsl': { nodes: ['nodes/base/uniforms.ts'] },
 };
 
 /** Names that functions have in nodes, where two chunks with a function of the same name share a file. */
 const OTHER_NAMES: Record<string, Record<string, string>> = {
-  'techniques/anchored/readForm.glsl': { readStrokeAxes: 'axesOfForm' },
-  'techniques/anchored/readLight.glsl': { readStrokeAxes: 'axesOfLight' },
-  'techniques/anchored/readSheet.glsl': { readStrokeAxes: 'axesOfSheet' },
-  'techniques/engraved/readCut.glsl': { readHatchingParameters: 'readCutLines' },
-  'techniques/engraved/readForm.glsl': { readHatchingParameters: 'readFormLines' },
+  'techniques/strokes/readForm.glsl': { readStrokeAxes: 'axesOfForm' },
+  'techniques/strokes/readLight.glsl': { readStrokeAxes: 'axesOfLight' },
+  'techniques/strokes/readSheet.glsl': { readStrokeAxes: 'axesOfSheet' },
+  'techniques/lines/readCut.glsl': { readHatchingParameters: 'readCutLines' },
+  'techniques/lines/readForm.glsl': { readHatchingParameters: 'readFormLines' },
 };
 
 /** Functions that the counterpart lacks, by chunk. */
 const OTHER_FUNCTIONS: Record<string, readonly string[]> = {
   // Only WebGLRenderer draws debug views.
-  'techniques/engraved/readCut.glsl': ['fieldUv'],
-  'techniques/engraved/readForm.glsl': ['fieldUv'],
+  'techniques/lines/readCut.glsl': ['fieldUv'],
+  'techniques/lines/readForm.glsl': ['fieldUv'],
   // Only the techniques of triangles read a single place.
   'chunks/thresholdMap.glsl': ['thresholdsAt', 'thresholdAt'],
   // Only the techniques of triangles average three rotations.
@@ -175,7 +175,7 @@ const OTHER_CONSTANTS: Record<string, readonly string[]> = {
   // A property of three.js' versions.
   'outlines/sceneDepth.glsl': ['REVERSES_FLOATS'],
   // The sum of the three numbers of HASH_STEP.
-  'techniques/anchored/simplexLattice.glsl': ['HASH_STEPS'],
+  'techniques/strokes/simplexLattice.glsl': ['HASH_STEPS'],
 };
 
 /** The code of a chunk and of its counterpart, and that of the chunks that are read with each. */

@@ -3,7 +3,7 @@ import type * as mediumPattern from '../../../src/webgpu/fetchedCode.js';
 import { HatchingNodeMaterial } from '../../../src/webgpu/HatchingNodeMaterial.js';
 import { eventually } from '../patience.js';
 
-const STIPPLE = { technique: 'anchored', medium: 'stipple' } as const;
+const STIPPLE = { technique: 'stipple' } as const;
 
 /** Imported anew for each test, with nothing fetched. */
 let pattern: typeof mediumPattern;
@@ -27,7 +27,7 @@ test('dots are fetched when they are first drawn with, and whoever waits for the
 });
 
 test('strokes of ink wait for nothing', () => {
-  const ink = { technique: 'anchored', medium: 'ink' } as const;
+  const ink = { technique: 'hatching' } as const;
   expect(pattern.writePattern(ink, {}, vi.fn())).toBe(true);
   expect(pattern.dotLayerOf(ink)).toBeUndefined();
 });

@@ -21,7 +21,7 @@ const room = ((): DataTexture => {
 
 /** A knot in a room, with the lamps of {@link knot} or without. */
 async function inRoom(kit: Kit, parameters: HatchingMaterialParameters, hasLamps: boolean): Promise<KnotStage> {
-  const stage = knot(await kit.hatching({ technique: 'engraved', lineField: 'slant', exposure: 1, ...parameters }));
+  const stage = knot(await kit.hatching({ technique: 'engraving', direction: 'slant', exposure: 1, ...parameters }));
   const { scene } = stage;
   scene.environment = room;
   scene.environmentIntensity = 0.6;

@@ -3,7 +3,7 @@ import type { HatchingMaterialParameters } from 'three-hatching';
 import { type KnotStage, knot, shadowed } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
-const LINES = { technique: 'engraved', lineField: 'slant', exposure: 1 } as const;
+const LINES = { technique: 'engraving', direction: 'slant', exposure: 1 } as const;
 
 const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}): Promise<KnotStage> =>
   knot(await kit.hatching({ ...LINES, ...parameters }));
@@ -26,7 +26,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'the tone of faces, anchored, from both sides',
     async show(kit) {
-      const stage = await ofFaces(kit, { technique: 'anchored', edgePixels: 0, side: DoubleSide });
+      const stage = await ofFaces(kit, { technique: 'hatching', edgePixels: 0, side: DoubleSide });
       stage.mesh.geometry = new IcosahedronGeometry(0.95, 1);
       return stage;
     },
@@ -35,7 +35,7 @@ export const cases: readonly SceneCase[] = [
     name: 'lines on faces that turn in a shadow',
     shadows: PCFShadowMap,
     async show(kit) {
-      const stage = shadowed(await drawn(kit, { toneNormal: 'face', lineField: 'light', shadowStrokes: 'reorient' }));
+      const stage = shadowed(await drawn(kit, { toneNormal: 'face', direction: 'light', shadowStrokes: 'reorient' }));
       stage.mesh.geometry = new TorusKnotGeometry(0.62, 0.24, 40, 7);
       return stage;
     },

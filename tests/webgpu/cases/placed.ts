@@ -15,7 +15,7 @@ import { bentTube, egg } from '../deforming.js';
 import { type KnotStage, knot } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
-const LINES = { technique: 'engraved', lineField: 'light', shadowStrokes: 'tone', exposure: 1 } as const;
+const LINES = { technique: 'engraving', direction: 'light', shadowStrokes: 'tone', exposure: 1 } as const;
 
 const lines = (kit: Kit, parameters: HatchingMaterialParameters = {}): Promise<Material> =>
   kit.hatching({ ...LINES, ...parameters });
@@ -91,7 +91,7 @@ export const cases: readonly SceneCase[] = [
     async show(kit) {
       const map = new DataTexture(Uint8Array.of(255, 200, 150, 255, 90, 120, 255, 255), 2, 1);
       map.needsUpdate = true;
-      const material = Object.assign(await lines(kit, { lineField: 'form' }), { map });
+      const material = Object.assign(await lines(kit, { direction: 'form' }), { map });
       const mesh = bentTube(material);
       mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { form: true });
       return showing(material, mesh);
@@ -115,7 +115,7 @@ export const cases: readonly SceneCase[] = [
     name: 'anchored strokes on instances',
     onWebGPU: 'tone',
     async show(kit) {
-      const material = await lines(kit, { technique: 'anchored' });
+      const material = await lines(kit, { technique: 'hatching' });
       const mesh = new InstancedMesh(new TorusKnotGeometry(0.25, 0.1, 64, 12), material, 2);
       for (let i = 0; i < 2; i++) mesh.setMatrixAt(i, moved(i ? 0.5 : -0.5, 0, 0.8 * i, 1.5));
       return showing(material, mesh);
@@ -125,7 +125,7 @@ export const cases: readonly SceneCase[] = [
     name: 'anchored strokes on a skin, as deformed',
     onWebGPU: 'tone',
     async show(kit) {
-      const material = await lines(kit, { technique: 'anchored', strokeAnchor: 'deformed' });
+      const material = await lines(kit, { technique: 'hatching', strokeAnchor: 'deformed' });
       return showing(material, bentTube(material));
     },
   },

@@ -45,7 +45,7 @@ async function hatched(
   return stage;
 }
 
-const LINES = { technique: 'engraved', lineField: 'slant', shadowStrokes: 'tone' } as const;
+const LINES = { technique: 'engraving', direction: 'slant', shadowStrokes: 'tone' } as const;
 
 /** Whole scenes, hatched by one call. */
 export const cases: readonly SceneCase[] = [
@@ -53,13 +53,15 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'its colours filled, half of their tone kept, far things fainter',
     show: (kit) =>
-      hatched(kit, { material: { ...LINES, colorFill: 1, colorHatching: 0.5, depthFade: 0.8, lineField: 'towards' } }),
+      hatched(kit, {
+        material: { ...LINES, colorFill: 1, colorHatching: 0.5, depthFade: 0.8, direction: 'towardsLight' },
+      }),
   },
   {
     name: 'lines along the form',
-    show: (kit) => hatched(kit, { material: { ...LINES, lineField: 'form', crossFrom: 0.3 } }),
+    show: (kit) => hatched(kit, { material: { ...LINES, direction: 'form', crossFrom: 0.3 } }),
   },
-  { name: 'lines across the form', show: (kit) => hatched(kit, { material: { ...LINES, lineField: 'acrossForm' } }) },
+  { name: 'lines across the form', show: (kit) => hatched(kit, { material: { ...LINES, direction: 'acrossForm' } }) },
   { name: 'the preset pen', show: (kit) => hatched(kit, 'pen') },
   { name: 'the preset crossHatching', show: (kit) => hatched(kit, 'crossHatching') },
   { name: 'the preset engraving', show: (kit) => hatched(kit, 'engraving') },

@@ -4,8 +4,8 @@ import { type Casting, lamp, onGround, spot } from '../ground.js';
 import type { KnotStage } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
-const LINES = { technique: 'engraved', exposure: 1, lineSpacing: 6 } as const;
-const STROKES = { technique: 'anchored', exposure: 1, edgePixels: 0 } as const;
+const LINES = { technique: 'engraving', exposure: 1, lineSpacing: 6 } as const;
+const STROKES = { technique: 'hatching', exposure: 1, edgePixels: 0 } as const;
 
 /** A knot on a ground, under the sun and another light, which casts a shadow of its own. */
 async function underTwo(kit: Kit, parameters: HatchingMaterialParameters, light: Casting): Promise<KnotStage> {
@@ -26,7 +26,7 @@ export const cases: readonly SceneCase[] = [
     name: 'strokes of a pen that cross in a shadow',
     shadows: PCFShadowMap,
     show: (kit) =>
-      onGround(kit, { ...LINES, shadowStrokes: 'cross', medium: 'pen', colorHatching: 0.5, color: 0x888888 }),
+      onGround(kit, { ...LINES, shadowStrokes: 'cross', technique: 'pen', colorHatching: 0.5, color: 0x888888 }),
   },
   {
     name: 'anchored strokes that cross in a shadow',
@@ -36,12 +36,12 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'lines that turn in a shadow',
     shadows: PCFShadowMap,
-    show: (kit) => onGround(kit, { ...LINES, shadowStrokes: 'reorient', lineField: 'light' }),
+    show: (kit) => onGround(kit, { ...LINES, shadowStrokes: 'reorient', direction: 'light' }),
   },
   {
     name: 'lines that turn in the shadows of two lights',
     shadows: PCFShadowMap,
-    show: (kit) => underTwo(kit, { ...LINES, shadowStrokes: 'reorient', lineField: 'light' }, lamp()),
+    show: (kit) => underTwo(kit, { ...LINES, shadowStrokes: 'reorient', direction: 'light' }, lamp()),
   },
   {
     name: 'anchored strokes that turn in a shadow',
@@ -57,7 +57,7 @@ export const cases: readonly SceneCase[] = [
     name: 'lines along the form that turn in a shadow',
     shadows: PCFShadowMap,
     async show(kit) {
-      const stage = await onGround(kit, { ...LINES, shadowStrokes: 'reorient', lineField: 'form' });
+      const stage = await onGround(kit, { ...LINES, shadowStrokes: 'reorient', direction: 'form' });
       stage.mesh.geometry = await prepareHatchingGeometry(stage.mesh.geometry, { form: true });
       return stage;
     },

@@ -3,8 +3,8 @@ import type { HatchingMaterialParameters } from 'three-hatching';
 import { type Casting, lamp, onGround, spot } from '../ground.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
-const LINES = { technique: 'engraved', exposure: 1, lineSpacing: 6 } as const;
-const STROKES = { technique: 'anchored', exposure: 1, edgePixels: 0 } as const;
+const LINES = { technique: 'engraving', exposure: 1, lineSpacing: 6 } as const;
+const STROKES = { technique: 'hatching', exposure: 1, edgePixels: 0 } as const;
 const SHADOWS = { toneModel: 'shadow', transparent: true, paperOpacity: 0 } as const;
 
 /** A ground that shows only shadows. @param light replaces the sun */
@@ -21,7 +21,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'shadows alone, carved, as dark as black and as wide as their maps say',
     shadows: PCFShadowMap,
-    show: (kit) => alone(kit, { ...LINES, medium: 'woodcut', shadowTone: 1, shadowFade: 0, shadowSoftness: 0 }),
+    show: (kit) => alone(kit, { ...LINES, technique: 'woodcut', shadowTone: 1, shadowFade: 0, shadowSoftness: 0 }),
   },
   {
     name: 'shadows alone, of strokes that cross',
@@ -36,7 +36,7 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'shadows alone, that dissolve soon, with a pen',
     shadows: PCFShadowMap,
-    show: (kit) => alone(kit, { ...LINES, medium: 'pen', shadowFade: 3 }),
+    show: (kit) => alone(kit, { ...LINES, technique: 'pen', shadowFade: 3 }),
   },
   { name: 'shadows alone, of a cone', shadows: PCFShadowMap, show: (kit) => alone(kit, LINES, spot()) },
   { name: 'shadows alone, of a lamp', shadows: PCFShadowMap, show: (kit) => alone(kit, LINES, lamp()) },

@@ -18,7 +18,7 @@ import type { HatchingMaterialParameters } from 'three-hatching';
 import { knot } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
-const LINES = { technique: 'engraved', lineField: 'slant', shadowStrokes: 'tone', exposure: 1 } as const;
+const LINES = { technique: 'engraving', direction: 'slant', shadowStrokes: 'tone', exposure: 1 } as const;
 
 const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
   knot(await kit.hatching({ ...LINES, ...parameters }));
@@ -119,7 +119,7 @@ export const cases: readonly SceneCase[] = [
   },
   {
     name: 'dots in three layers',
-    show: (kit) => drawn(kit, { technique: 'anchored', medium: 'stipple', exposure: 0.5 }),
+    show: (kit) => drawn(kit, { technique: 'stipple', exposure: 0.5 }),
   },
   {
     name: 'ink that takes its colour of the ground too',
@@ -131,7 +131,7 @@ export const cases: readonly SceneCase[] = [
     async show(kit) {
       const [first, second] = await Promise.all([
         kit.hatching({ ...LINES, ink: 0x882222 }),
-        kit.hatching({ ...LINES, lineField: 'y', ink: 0x224488, medium: 'woodcut' }),
+        kit.hatching({ ...LINES, direction: 'y', ink: 0x224488, technique: 'woodcut' }),
       ]);
       const stage = knot(first);
       const geometry = new SphereGeometry(0.9, 48, 32);

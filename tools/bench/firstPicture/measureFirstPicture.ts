@@ -13,7 +13,7 @@ import { applyHatching, TonalArtMap } from 'three-hatching';
 import { loadModel } from '../loadModel.js';
 
 const SIZE = 256;
-const LOOK = { material: { technique: 'anchored' }, outlines: true } as const;
+const LOOK = { material: { technique: 'hatching' }, outlines: true } as const;
 
 /** The order of the work before the first picture: in sequence or in parallel. */
 export type Arrangement = 'inTurn' | 'together';

@@ -2,8 +2,8 @@
 const CURVES = {
   'phong corner': ['MeshPhongMaterial', '#888'],
   'adjacency corner': ['adjacency', '#1b5e9b'],
-  'anchored indexed': ['anchored', '#b3541e'],
-  'engraved indexed': ['engraved', '#2f7d32'],
+  'hatching indexed': ['hatching', '#b3541e'],
+  'engraving indexed': ['engraving', '#2f7d32'],
 };
 
 /** Twice the time of Phong shading of the same geometry: "a ratio around 50%" of frame rates (Suarez et al., section 4). */

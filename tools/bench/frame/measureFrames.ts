@@ -26,10 +26,10 @@ export async function measureFrames(model: string, turns: number, size: number):
     'triangle pull': hatched('triangle', pull),
     'adjacency corner': hatched('adjacency', corner),
     'adjacency pull': hatched('adjacency', pull),
-    'anchored corner': hatched('anchored', corner),
-    'anchored pull': hatched('anchored', pull),
-    'anchored indexed': hatched('anchored', indexed),
-    'engraved indexed': hatched('engraved', indexed),
+    'hatching corner': hatched('hatching', corner),
+    'hatching pull': hatched('hatching', pull),
+    'hatching indexed': hatched('hatching', indexed),
+    'engraving indexed': hatched('engraving', indexed),
   };
 
   const stage = new Stage(size);

@@ -27,10 +27,10 @@ export async function measureLineFields(model: string, turns: number, size: numb
   const objects: Record<string, Mesh> = {};
   const against: Record<string, string> = {};
   for (const [way, parameters] of Object.entries(WAYS)) {
-    for (const lineField of ['light', 'x', 'form', 'acrossForm'] as const) {
-      const look = plainLook({ technique: 'engraved', ...parameters, lineField });
-      const geometry = lineField === 'light' || lineField === 'x' ? light : form;
-      const name = `${lineField}, ${way}`;
+    for (const direction of ['light', 'x', 'form', 'acrossForm'] as const) {
+      const look = plainLook({ technique: 'engraving', ...parameters, direction });
+      const geometry = direction === 'light' || direction === 'x' ? light : form;
+      const name = `${direction}, ${way}`;
       objects[name] = new Mesh(geometry, new HatchingMaterial(look));
       against[name] = `light, ${way}`;
     }

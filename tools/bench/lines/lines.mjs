@@ -37,7 +37,7 @@ export const lines = {
 
   describe({ size, models }) {
     const names = Object.keys(WITHOUT);
-    return `${size} × ${size} pixels, \`anchored\` on the layout \`indexed\`; ratios to the same mesh without lines. Script: what the lines take on the
+    return `${size} × ${size} pixels, \`hatching\` on the layout \`indexed\`; ratios to the same mesh without lines. Script: what the lines take on the
 main thread per frame while the camera turns by 1° a frame.
 
 ${table([

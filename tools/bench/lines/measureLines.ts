@@ -38,7 +38,7 @@ export async function measureLines(model: string, turns: number, size: number, i
   const plain = await loadModel(model);
   const geometry = await prepareHatchingGeometry(plain, { layout: 'indexed', outlines: true });
   const material = new HatchingMaterial(
-    plainLook({ tonalArtMap: await TonalArtMap.generate(), technique: 'anchored' }),
+    plainLook({ tonalArtMap: await TonalArtMap.generate(), technique: 'hatching' }),
   );
   const hatched = new Mesh(geometry, material);
   const lined = withOutlines(new Mesh(geometry, material));

@@ -98,8 +98,8 @@ async function looksFor({ isInstanced }: Things): Promise<Record<string, Look>> 
   const preset = (preset: 'pen' | 'engraving' | 'pencil') => new HatchingMaterial({ preset, tonalArtMap });
   const looks: Record<string, Look> = {
     lambert: { material: new MeshLambertMaterial() },
-    anchored: { material: new HatchingMaterial(plainLook({ technique: 'anchored', tonalArtMap })) },
-    engraved: { material: new HatchingMaterial(plainLook({ technique: 'engraved' })) },
+    hatching: { material: new HatchingMaterial(plainLook({ technique: 'hatching', tonalArtMap })) },
+    engraving: { material: new HatchingMaterial(plainLook({ technique: 'engraving' })) },
   };
   if (isInstanced) return looks;
   return {

@@ -23,11 +23,11 @@ export async function measureMedia(model: string, turns: number, size: number): 
   const sized = (parameters: HatchingMaterialParameters): Mesh =>
     new Mesh(geometry, new HatchingMaterial(plainLook({ screenSpaceShare: 1, ...parameters })));
   const meshes = {
-    ink: sized({ technique: 'anchored', tonalArtMap }),
-    dry: sized({ technique: 'anchored', tonalArtMap, medium: 'dry' }),
-    stipple: sized({ technique: 'anchored', medium: 'stipple', strokeWidth: 3.2 }),
-    engraved: sized({ technique: 'engraved' }),
-    carved: sized({ technique: 'engraved', medium: 'woodcut', crossFrom: 1 }),
+    hatching: sized({ technique: 'hatching', tonalArtMap }),
+    dryMedia: sized({ technique: 'dryMedia', tonalArtMap }),
+    stipple: sized({ technique: 'stipple', strokeWidth: 3.2 }),
+    engraving: sized({ technique: 'engraving' }),
+    woodcut: sized({ technique: 'woodcut', crossFrom: 1 }),
   };
 
   const stage = new Stage(size);

@@ -5,9 +5,9 @@ const PLAN = { models: { dragon11k: 25, dragon48k: 25 }, size: 1024 };
 const QUICK = { models: { dragon11k: 2 }, size: 128 };
 
 /** The baseline of the comparison. */
-const INK = 'ink';
+const BASE = 'hatching';
 
-/** Frames of every medium beside `anchored` in ink. */
+/** Frames of every medium beside `hatching`. */
 export const media = {
   name: 'media',
   perRasteriser: true,
@@ -19,7 +19,7 @@ export const media = {
       const { triangles, times } = await measure('media', model, turns, size);
       const drawn = Object.entries(times).map(([name, list]) => [
         name,
-        { ms: median(list), ratio: medianInterval(ratios(list, times[INK])) },
+        { ms: median(list), ratio: medianInterval(ratios(list, times[BASE])) },
       ]);
       results[model] = { triangles, turns, drawn: Object.fromEntries(drawn) };
     }
@@ -28,16 +28,16 @@ export const media = {
 
   describe({ size, models }) {
     const names = Object.keys(Object.values(models)[0].drawn);
-    return `${size} × ${size} pixels, sized on the screen, layout \`indexed\`; ratios to \`anchored\` in ink.
+    return `${size} × ${size} pixels, sized on the screen, layout \`indexed\`; ratios to \`hatching\`.
 
 ${table([
-  ['', 'triangles', 'turns', 'ink, ms', ...names.filter((name) => name !== INK)],
+  ['', 'triangles', 'turns', 'hatching, ms', ...names.filter((name) => name !== BASE)],
   ...Object.entries(models).map(([model, { triangles, turns, drawn }]) => [
     model,
     triangles.toLocaleString('en'),
     String(turns),
-    figure(drawn[INK].ms),
-    ...names.filter((name) => name !== INK).map((name) => withInterval(drawn[name].ratio)),
+    figure(drawn[BASE].ms),
+    ...names.filter((name) => name !== BASE).map((name) => withInterval(drawn[name].ratio)),
   ]),
 ])}`;
   },

@@ -2,14 +2,14 @@ import { peakOf } from '../peakOf.mjs';
 import { figure, table } from '../table.mjs';
 
 const SCALE = [
-  { triangles: 1e6, technique: 'anchored', layout: 'indexed' },
-  { triangles: 1e7, technique: 'anchored', layout: 'indexed' },
+  { triangles: 1e6, technique: 'hatching', layout: 'indexed' },
+  { triangles: 1e7, technique: 'hatching', layout: 'indexed' },
   { triangles: 1e6, technique: 'adjacency', layout: 'pull' },
   { triangles: 1e7, technique: 'adjacency', layout: 'pull' },
-  { triangles: 1e6, technique: 'engraved', layout: 'indexed', form: true },
-  { triangles: 4e6, technique: 'engraved', layout: 'indexed', form: true },
+  { triangles: 1e6, technique: 'engraving', layout: 'indexed', form: true },
+  { triangles: 4e6, technique: 'engraving', layout: 'indexed', form: true },
 ];
-const STEADY = ['adjacency', 'anchored', 'engraved'].map((technique) => ({
+const STEADY = ['adjacency', 'hatching', 'engraving'].map((technique) => ({
   triangles: 5000,
   technique,
   layout: 'auto',
@@ -17,7 +17,7 @@ const STEADY = ['adjacency', 'anchored', 'engraved'].map((technique) => ({
 }));
 const PLAN = { scale: SCALE, steady: STEADY, frames: 100 };
 const QUICK = {
-  scale: [{ triangles: 20_000, technique: 'anchored', layout: 'indexed' }],
+  scale: [{ triangles: 20_000, technique: 'hatching', layout: 'indexed' }],
   steady: STEADY.slice(1, 2),
   frames: 20,
 };

@@ -23,10 +23,10 @@ export async function measureNodes(model: string, backend: Backend, turns: numbe
   };
   const meshes = {
     phong: new Mesh(plain, new MeshPhongMaterial()),
-    anchored: await hatched(plainLook({ tonalArtMap, technique: 'anchored' })),
-    engraved: await hatched(plainLook({ technique: 'engraved' })),
-    pencil: await hatched({ preset: 'pencil' }),
-    engraving: await hatched({ preset: 'engraving' }),
+    hatching: await hatched(plainLook({ tonalArtMap, technique: 'hatching' })),
+    engraving: await hatched(plainLook({ technique: 'engraving' })),
+    'preset pencil': await hatched({ preset: 'pencil' }),
+    'preset engraving': await hatched({ preset: 'engraving' }),
   };
   const times = await timeTurns(await NodeStage.open(backend, size), meshes, turns);
   return { triangles: plain.index!.count / 3, times };

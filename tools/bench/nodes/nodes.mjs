@@ -46,7 +46,7 @@ export const nodes = {
     );
     const [{ drawn }] = Object.values(Object.values(backends)[0]);
     const names = Object.keys(drawn).filter((name) => name !== PHONG);
-    return `${size} × ${size} pixels, layout \`indexed\`; ratios to Phong. \`anchored\` and \`engraved\` are plain, \`pencil\` and \`engraving\` the presets.
+    return `${size} × ${size} pixels, layout \`indexed\`; ratios to Phong. \`hatching\` and \`engraving\` are plain, \`pencil\` and \`engraving\` the presets.
 
 ${table([['', '', 'triangles', 'turns', 'Phong, ms', ...names], ...rows])}
 

@@ -41,8 +41,8 @@ export async function measureOcclusion(
   const times: OcclusionTimes['times'] = {};
   for (const [technique, layout] of [
     ['adjacency', 'corner'],
-    ['anchored', 'indexed'],
-    ['engraved', 'indexed'],
+    ['hatching', 'indexed'],
+    ['engraving', 'indexed'],
   ] satisfies [HatchingTechnique, 'corner' | 'indexed'][]) {
     const [open, occluded] = await Promise.all(
       [0, 1].map(async () => new Mesh(await prepareHatchingGeometry(plain, { layout }))),

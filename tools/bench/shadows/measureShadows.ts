@@ -11,9 +11,9 @@ import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 import { timeTurns } from '../timeTurns.js';
 
-const TECHNIQUES: readonly HatchingTechnique[] = ['adjacency', 'anchored', 'engraved'];
+const TECHNIQUES: readonly HatchingTechnique[] = ['adjacency', 'hatching', 'engraving'];
 
-/** A shadow on a ground as `'anchored'` and `'engraved'` have it, in edges and tone. */
+/** A shadow on a ground as `'hatching'` and `'engraving'` have it, in edges and tone. */
 const SOFT = { shadowTone: 0.5, shadowFade: 0.65, shadowSoftness: 0.12 } as const;
 
 export interface ShadowTimes {

@@ -16,7 +16,7 @@ export async function measureUpload(
   repeats: number,
 ): Promise<{ bytes: number; times: number[] }> {
   const stage = new Stage(SIZE);
-  const material = new HatchingMaterial(plainLook({ technique: 'anchored' }));
+  const material = new HatchingMaterial(plainLook({ technique: 'hatching' }));
   stage.drawFrame(new Mesh(await prepareHatchingGeometry(new TorusGeometry(), { layout }), material));
   const geometry = await prepareHatchingGeometry(await loadModel(model), { layout });
   geometry.setDrawRange(0, 3);

@@ -10,12 +10,12 @@ import { type DrawSVGOptions, drawSVG } from 'three-hatching/svg';
 import { loadModel } from '../loadModel.js';
 
 /** The look of a vector drawing, and its shadows. */
-const DRAWINGS: Record<string, { lineField: HatchingMaterialParameters['lineField']; options: DrawSVGOptions }> = {
-  light: { lineField: 'light', options: { shadows: false } },
-  form: { lineField: 'form', options: { shadows: false } },
-  'light, hard shadow': { lineField: 'light', options: { shadows: 'hard' } },
-  'light, soft shadow': { lineField: 'light', options: { shadows: 'soft' } },
-  'light, one pen': { lineField: 'light', options: { shadows: false, kind: 'pen' } },
+const DRAWINGS: Record<string, { direction: HatchingMaterialParameters['direction']; options: DrawSVGOptions }> = {
+  light: { direction: 'light', options: { shadows: false } },
+  form: { direction: 'form', options: { shadows: false } },
+  'light, hard shadow': { direction: 'light', options: { shadows: 'hard' } },
+  'light, soft shadow': { direction: 'light', options: { shadows: 'soft' } },
+  'light, one pen': { direction: 'light', options: { shadows: false, kind: 'pen' } },
 };
 
 /** Milliseconds of each drawing: the bake of its geometry, and the repeated drawing. */
@@ -35,12 +35,12 @@ export async function measureVector(model: string, repeats: number): Promise<Vec
   sun.castShadow = true;
   const found: VectorTimes = { triangles: (plain.index?.count ?? 0) / 3, drawings: {} };
   const scenes: Record<string, Scene> = {};
-  for (const [name, { lineField }] of Object.entries(DRAWINGS)) {
+  for (const [name, { direction }] of Object.entries(DRAWINGS)) {
     const start = performance.now();
-    const form = lineField === 'form';
-    const geometry = await prepareHatchingGeometry(plain, { technique: 'engraved', outlines: true, form });
+    const form = direction === 'form';
+    const geometry = await prepareHatchingGeometry(plain, { technique: 'engraving', outlines: true, form });
     found.drawings[name] = { bake: performance.now() - start, times: [], paths: 0, kilobytes: 0 };
-    const mesh = new Mesh(geometry, new HatchingMaterial({ preset: 'engraving', technique: 'engraved', lineField }));
+    const mesh = new Mesh(geometry, new HatchingMaterial({ preset: 'engraving', technique: 'engraving', direction }));
     mesh.castShadow = mesh.receiveShadow = true;
     mesh.add(new HatchingOutlines(mesh));
     scenes[name] = new Scene().add(mesh, sun.clone());

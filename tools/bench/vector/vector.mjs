@@ -28,7 +28,7 @@ export const vector = {
   },
 
   describe(rows) {
-    return `A sheet of 200 mm, the preset \`engraving\`, outlines included. Ratio: to the drawing with \`lineField: 'light'\` without shadows, in the same run.
+    return `A sheet of 200 mm, the preset \`engraving\`, outlines included. Ratio: to the drawing with \`direction: 'light'\` without shadows, in the same run.
 
 ${table([
   ['', 'triangles', 'lines', 'bake, s', 'drawing, s', 'ratio', 'paths', 'kB'],

@@ -1,7 +1,8 @@
+import { LINES_FAMILY, STROKES_FAMILY } from '../ofTechniques.js';
 import type { PropertyRow } from '../PropertyRow.js';
 
 /** The techniques that draw with a plan of what matters; those of the paper by Suarez et al. draw all alike. */
-const techniques = ['anchored', 'engraved'] as const;
+const techniques = [...STROKES_FAMILY, ...LINES_FAMILY];
 
 /** The properties of composition: where the drawing has weight, and where it is left out. */
 export const COMPOSITION = {

@@ -1,5 +1,12 @@
-import { ofTechniques, WITH_MAP } from '../ofTechniques.js';
+import { LINES_FAMILY, ofTechniques, PER_TRIANGLE, STROKES_FAMILY, WITH_MAP } from '../ofTechniques.js';
 import type { PropertyRow } from '../PropertyRow.js';
+
+/** The techniques whose lines or strokes have a direction: dots have none. */
+const DIRECTED = [...WITH_MAP, ...LINES_FAMILY];
+
+/** The choices of `direction` that strokes of a map know, and those that lines know. */
+const OF_STROKES = ['light', 'form', 'acrossForm', 'sheet'];
+const OF_LINES = ['auto', 'light', 'towardsLight', 'x', 'y', 'z', 'slant', 'form', 'acrossForm'];
 
 /** The properties of strokes: where they lie, how large they are, which way they run. */
 export const STROKES = {
@@ -8,7 +15,6 @@ export const STROKES = {
     group: 'Strokes',
     default: 'hatching',
     techniques: WITH_MAP,
-    when: { medium: ['ink', 'dry'] },
     sentence:
       'The hatch images: a map, which materials may share and which you dispose of yourself; or the name of a style, whose map all materials share (`TonalArtMap.shared`), drawn with the first frame that needs it. Until a map is ready the surface is blank paper, and with `null` it stays so.',
   },
@@ -16,11 +22,10 @@ export const STROKES = {
     kind: 'choice',
     group: 'Strokes',
     type: 'HatchingTechnique',
-    typeSentence: 'How strokes are laid on the surface.',
+    typeSentence: 'What a surface is drawn with, and how.',
     choices: ofTechniques(({ sentence }) => sentence),
-    isDefine: false,
-    default: 'anchored',
-    sentence: 'How strokes are laid on the surface.',
+    default: 'hatching',
+    sentence: 'What a surface is drawn with, and how.',
   },
   tilesPerObjectUnit: {
     kind: 'number',
@@ -35,13 +40,13 @@ export const STROKES = {
     kind: 'number',
     group: 'Strokes',
     default: 0,
-    defaultFor: { anchored: Math.PI / 2 },
+    defaultFor: { strokes: Math.PI / 2 },
     measure: 'radians',
     uniform: false,
-    techniques: [...WITH_MAP, 'engraved'],
-    when: { medium: ['ink', 'dry', 'pen', 'woodcut'], strokeField: ['light', 'sheet'] },
+    techniques: DIRECTED,
+    when: { direction: ['auto', 'light', 'towardsLight', 'sheet'] },
     sentence:
-      "Direction of the strokes, clockwise about the normal, as seen from outside: 0 draws them tangent to the light, π/2 towards it (figure 14). With `strokeField: 'sheet'` it is their angle to the horizontal of the sheet, counterclockwise. For `engraved` it turns what cuts the lines, where a light does: at π/2 `lineField: 'light'` is `'towards'`.",
+      "How far strokes are turned, counterclockwise, as seen from outside. Where they follow the light, 0 draws them tangent to it, π/2 towards it (figure 14); with `direction: 'sheet'` it is their angle to the horizontal of the sheet. Of lines it turns what cuts them, where a light does: at π/2 `direction: 'light'` is `'towardsLight'`. Half a turn more is the same direction.",
   },
   strokeOffset: {
     kind: 'vector2',
@@ -86,7 +91,7 @@ export const STROKES = {
     },
     default: 'derivatives',
     techniques: ['triangle', 'adjacency'],
-    sentence: 'What chooses the level of the map. `anchored` always goes by depth.',
+    sentence: 'What chooses the level of the map. `hatching` and `dryMedia` always go by depth.',
   },
   screenSpaceShare: {
     kind: 'number',
@@ -94,19 +99,19 @@ export const STROKES = {
     default: 1,
     measure: 'share',
     range: { from: 0, to: 1 },
-    techniques: ['anchored', 'engraved'],
+    techniques: [...STROKES_FAMILY, ...LINES_FAMILY],
     sentence:
-      'What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping. In between, strokes grow less than the object does as the camera comes nearer. `anchored` has a program of its own for 0, which is cheaper.',
+      'What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping. In between, strokes grow less than the object does as the camera comes nearer. Strokes and dots have a program of their own for 0, which is cheaper.',
   },
   strokeWidth: {
     kind: 'number',
     group: 'Strokes',
     default: null,
-    defaultFor: { anchored: 1.5 },
+    defaultFor: { strokes: 1.5 },
     measure: 'pixels',
     range: { above: 0 },
     uniform: false,
-    techniques: WITH_MAP,
+    techniques: [...PER_TRIANGLE, ...STROKES_FAMILY],
     when: [{ crisp: [true] }, { levelRule: ['depth'] }],
     sentence:
       'Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels.',
@@ -117,10 +122,10 @@ export const STROKES = {
     default: 1,
     measure: 'gridPixels',
     range: { from: 0 },
-    techniques: WITH_MAP,
-    when: { crisp: [true], medium: ['ink', 'stipple'] },
+    techniques: [...PER_TRIANGLE, 'hatching', 'stipple'],
+    when: { crisp: [true] },
     sentence:
-      'Width over which ink fades at the edge of a stroke, for `anchored` and `crisp`. 0 is hard. Dry media have `softness` instead.',
+      'Width over which ink fades at the edge of a stroke or a dot. 0 is hard. Dry media have `softness` instead.',
   },
   latticeSpacing: {
     kind: 'number',
@@ -128,49 +133,36 @@ export const STROKES = {
     default: 0.4,
     measure: 'tiles',
     range: { above: 0 },
-    techniques: ['anchored'],
-    when: { medium: ['ink', 'dry'] },
+    techniques: ['hatching', 'dryMedia'],
     sentence:
       'Distance between the points that strokes are anchored to. Smaller is steadier under a moving light, with shorter strokes.',
   },
-  strokeField: {
+  direction: {
     kind: 'choice',
     group: 'Strokes',
-    type: 'StrokeField',
-    typeSentence: 'What the strokes of `anchored` take their direction from.',
+    type: 'StrokeDirection',
+    typeSentence: 'What strokes and lines take their direction from.',
     choices: {
-      light: 'the light: strokes turn with it, as in the paper by Suarez et al.',
-      form: 'a function baked into the geometry: strokes lie along its level lines, around fingers, limbs and cheeks, whatever the light. `applyHatching` bakes it; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
-      acrossForm: 'the same function: strokes lie across its level lines at a right angle, along limbs.',
-      sheet:
-        'the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeAngle` to the horizontal. They turn with the camera, and not with the light.',
-    },
-    default: 'light',
-    techniques: ['anchored'],
-    when: { medium: ['ink', 'dry'] },
-    sentence: 'What strokes take their direction from.',
-  },
-  lineField: {
-    kind: 'choice',
-    group: 'Strokes',
-    type: 'LineField',
-    typeSentence: 'What cuts the surface into the lines of `engraved`.',
-    choices: {
-      light: 'planes across the light, or spheres around a lamp: lines run around it, tangent to it.',
-      towards: 'planes that hold the direction of the light: lines run towards it.',
+      auto: "the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a woodcut `'towardsLight'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of flat faces.",
+      light:
+        'the light. Strokes turn with it, at the angle `strokeAngle`, as in the paper by Suarez et al. Lines are cut by planes across it, or by spheres around a lamp: they run around it, tangent to it.',
+      towardsLight: 'planes that hold the direction of the light: lines run towards it.',
       x: 'planes across the x axis of the object, or of the scene that `applyHatching` hatched: lines stay where they are while the light moves.',
       y: 'the same across its y axis.',
       z: 'the same across its z axis.',
       slant:
         'planes across an axis that is aslant to x, y and z: lines stay where they are, and run diagonally on walls, lids and floors.',
-      form: 'functions baked into the geometry: lines follow the form, around fingers, limbs and cheeks, whatever the light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
+      form: 'functions baked into the geometry: strokes and lines follow the form, around fingers, limbs and cheeks, whatever the light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
       acrossForm:
-        'the same, with the crossing lines as the first: along limbs instead of around them, if they were baked with a `crossAngle` of π/2.',
-      auto: "the form of a geometry that was prepared for it, and elsewhere `'light'`, with a pen `'slant'`, with a woodcut `'towards'`. `applyHatching` prepares shapes that have a form, and not machine parts and other meshes of flat faces.",
+        'the same, across the form: along limbs instead of around them. Strokes lie across at a right angle; lines are those that cross the others, as they were baked with a `crossAngle` of π/2.',
+      sheet:
+        'the sheet: strokes lie one way on it, as one hand draws them, at the angle `strokeAngle` to the horizontal. They turn with the camera, and not with the light.',
     },
     default: 'light',
-    techniques: ['engraved'],
-    sentence: 'What cuts the surface into lines.',
+    choicesFor: { strokes: OF_STROKES, lines: OF_LINES },
+    techniques: ['hatching', 'dryMedia', ...LINES_FAMILY],
+    sentence:
+      "What strokes and lines take their direction from. Strokes of `hatching` and `dryMedia` know `'light'`, `'form'`, `'acrossForm'` and `'sheet'`; lines of `engraving`, `pen` and `woodcut` know all but `'sheet'`. Another counts as the default.",
   },
   lineSpacing: {
     kind: 'number',
@@ -179,7 +171,7 @@ export const STROKES = {
     measure: 'tileParts',
     measureOnScreen: 'pixels',
     range: { above: 0 },
-    techniques: ['engraved'],
+    techniques: LINES_FAMILY,
     sentence:
       'Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes nearer new lines appear between them, thin at first.',
   },
@@ -189,7 +181,7 @@ export const STROKES = {
     default: 3,
     measure: 'pixels',
     range: { from: 2 },
-    techniques: ['engraved'],
+    techniques: LINES_FAMILY,
     sentence:
       'Least distance between lines; never less than two pixels of the drawing buffer. Where lines would lie closer, every other one is left out. Below three pixels lines flicker in motion.',
   },
@@ -200,10 +192,9 @@ export const STROKES = {
     measure: 'tileParts',
     measureOnScreen: 'pixels',
     range: { above: 0 },
-    techniques: ['engraved'],
-    when: { medium: ['pen', 'woodcut'] },
+    techniques: ['pen', 'woodcut'],
     sentence:
-      "Length of a stroke with `medium: 'pen'`, and of a wedge with `'woodcut'`: from 0.7 to 1.4 times as much, since strokes give way to others half as long as the camera comes nearer.",
+      'Length of a stroke of `pen`, and of a wedge of `woodcut`: from 0.7 to 1.4 times as much, since strokes give way to others half as long as the camera comes nearer.',
   },
   strokeLayers: {
     kind: 'choice',
@@ -217,21 +208,20 @@ export const STROKES = {
       tone: 'a second above the tone `crossFrom`, turned by `crossAngle`, and half way from there to 1 a third, turned into the wider of the two angles between them: the other way at 60°, diagonally at 90°.',
     },
     default: 'single',
-    defaultFor: { anchored: 'tone' },
-    techniques: WITH_MAP,
+    defaultFor: { strokes: 'tone' },
+    techniques: [...PER_TRIANGLE, ...STROKES_FAMILY],
     sentence: 'How many layers of strokes there are.',
   },
   crossFrom: {
     kind: 'number',
     group: 'Strokes',
     default: 0.52,
-    defaultFor: { anchored: 0.6 },
+    defaultFor: { strokes: 0.6 },
     measure: 'tone',
     range: { from: 0, to: 1 },
-    techniques: [...WITH_MAP, 'engraved'],
     when: { strokeLayers: ['tone'] },
     sentence:
-      "Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of `engraved`; at 1 none do.",
+      "Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of an engraving, a pen or a woodcut; at 1 none do.",
   },
   crossAngle: {
     kind: 'number',
@@ -241,10 +231,9 @@ export const STROKES = {
     measure: 'radians',
     range: { above: 0, to: Math.PI / 2 },
     uniform: false,
-    techniques: [...WITH_MAP, 'engraved'],
     when: { strokeLayers: ['tone'] },
     sentence:
-      "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines of `engraved` and those that cut the lines across them; lines that follow the form cross as they were baked. 60° is a pen's, 90° an engraver's.",
+      "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines and those that cut the lines across them; lines that follow the form cross as they were baked. 60° is a pen's, 90° an engraver's.",
   },
   irregularity: {
     kind: 'number',
@@ -252,7 +241,7 @@ export const STROKES = {
     default: 0.4,
     measure: 'share',
     range: { from: 0, to: 1 },
-    techniques: ['engraved'],
+    techniques: LINES_FAMILY,
     sentence:
       'How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine.',
   },

@@ -1,4 +1,4 @@
-import { ofTechniques } from '../ofTechniques.js';
+import { LINES_FAMILY } from '../ofTechniques.js';
 import type { PropertyRow } from '../PropertyRow.js';
 
 /** The properties of tone: how dark strokes and lights make the surface. */
@@ -23,7 +23,7 @@ export const TONE = {
     kind: 'number',
     group: 'Tone',
     default: 1,
-    defaultFor: { anchored: 0.5, engraved: 0.5 },
+    defaultFor: { strokes: 0.5, lines: 0.5 },
     measure: 'tone',
     range: { from: 0, to: 1 },
     when: { toneModel: ['shadow'] },
@@ -34,7 +34,7 @@ export const TONE = {
     kind: 'number',
     group: 'Tone',
     default: 0,
-    defaultFor: { anchored: 0.65, engraved: 0.65 },
+    defaultFor: { strokes: 0.65, lines: 0.65 },
     measure: 'factor',
     range: { from: 0 },
     when: { toneModel: ['shadow'] },
@@ -45,7 +45,7 @@ export const TONE = {
     kind: 'number',
     group: 'Tone',
     default: 0,
-    defaultFor: { anchored: 0.12, engraved: 0.12 },
+    defaultFor: { strokes: 0.12, lines: 0.12 },
     measure: 'factor',
     range: { from: 0 },
     when: { toneModel: ['shadow'] },
@@ -62,7 +62,7 @@ export const TONE = {
       strokes: 'as those of any other surface, by all the properties of strokes.',
     },
     default: 'strokes',
-    defaultFor: ofTechniques(({ vertexData }) => (vertexData === 'hatchNormal' ? 'away' : 'strokes')),
+    defaultFor: { perTriangle: 'strokes', strokes: 'away', lines: 'away' },
     when: { toneModel: ['shadow'] },
     sentence: "Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again.",
   },
@@ -72,7 +72,7 @@ export const TONE = {
     default: 1.4,
     measure: 'factor',
     range: { above: 0 },
-    techniques: ['engraved'],
+    techniques: LINES_FAMILY,
     when: { toneModel: ['shadow'] },
     sentence:
       "How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the ground is calmer than the body.",
@@ -105,7 +105,7 @@ export const TONE = {
       smooth: 'the interpolated vertex normal.',
     },
     default: 'face',
-    defaultFor: ofTechniques(({ toneNormal }) => toneNormal),
+    defaultFor: { perTriangle: 'face', strokes: 'smooth', lines: 'smooth' },
     sentence:
       "The normal that tone is computed from. The value in use is read back; `'auto'` leaves it to the technique again.",
   },
@@ -135,7 +135,7 @@ export const TONE = {
     kind: 'curve',
     group: 'Tone',
     default: 'linear',
-    defaultFor: { anchored: 'printed', engraved: 'printed' },
+    defaultFor: { strokes: 'printed', lines: 'printed' },
     sentence:
       "From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that of printed line drawings, whose lights stay blank, and in whose deepest shade some paper shows. Or 2 to 8 points `[light, printed]`, joined by a smooth curve; both run from 0, blank paper, to 1, the darkest hatch image. Other points need no other program.",
   },
@@ -143,7 +143,7 @@ export const TONE = {
     kind: 'number',
     group: 'Tone',
     default: 0,
-    defaultFor: { anchored: 0.35, engraved: 0.4 },
+    defaultFor: { strokes: 0.35, lines: 0.4 },
     measure: 'share',
     range: { from: 0, to: 1 },
     sentence:
@@ -162,7 +162,7 @@ export const TONE = {
     kind: 'number',
     group: 'Tone',
     default: 0,
-    defaultFor: { anchored: 1, engraved: 1 },
+    defaultFor: { strokes: 1, lines: 1 },
     measure: 'share',
     range: { from: 0, to: 1 },
     when: { occlusion: { not: 0 } },

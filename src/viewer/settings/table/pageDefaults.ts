@@ -9,7 +9,7 @@ export const PAGE_DEFAULTS = {
   screenSpaceShare: 0,
   tilesPerObjectUnit: 2.5,
   strokeLayers: 'lights',
-  // As engraved lines cross; anchored strokes do so in deeper shade.
+  // As lines cross; strokes do so in deeper shade.
   crossFrom: 52,
   outlineHand: 0.5,
   // The tone is that of the light, under lights that anybody may turn up.

@@ -17,8 +17,8 @@ interface RowBase<Value> {
   property?: HatchingPropertyName;
   /** The material property that several settings make up together. */
   partOf?: HatchingPropertyName;
-  /** A property that replaces the setting where that property has an effect. */
-  yieldsTo?: HatchingPropertyName;
+  /** Has no effect on lines. */
+  isForStrokes?: true;
   /** Other settings, with those of their values for which this one has an effect. */
   when?: Readonly<Record<string, readonly string[]>>;
   /** The owner, where it differs from that of the group. */

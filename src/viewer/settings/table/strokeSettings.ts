@@ -9,8 +9,12 @@ const MAP = resolveMapDrawing();
 
 /** Labels of the techniques. Crisp strokes, a property of the material, are offered as a technique. */
 const TECHNIQUES = {
-  anchored: 'Anchored',
-  engraved: 'Engraved',
+  hatching: 'Hatching',
+  dryMedia: 'Pencil, charcoal, chalk',
+  stipple: 'Dots',
+  engraving: 'Engraving',
+  pen: 'Pen strokes',
+  woodcut: 'Woodcut',
   adjacency: 'Adjacency',
   adjacencyCrisp: 'Adjacency, crisp',
   triangle: 'Per triangle',
@@ -63,7 +67,7 @@ const STYLES = {
 export const STROKE_ANGLES = { along: 0, towards: Math.PI / 2 } as const;
 
 /** The name of a `strokeAngle`. */
-export const strokeDirectionOf = (rotation: unknown): keyof typeof STROKE_ANGLES | 'angle' =>
+export const strokeTurnOf = (rotation: unknown): keyof typeof STROKE_ANGLES | 'angle' =>
   rotation === STROKE_ANGLES.along ? 'along' : rotation === STROKE_ANGLES.towards ? 'towards' : 'angle';
 
 /** The technique, and the main choices that go with it. */
@@ -86,38 +90,35 @@ export const DRAWING_SETTINGS = inGroup('Drawing', 'hand', {
   mapStyle: { kind: 'choice', label: 'Style', partOf: 'tonalArtMap', default: MAP.style, choices: STYLES },
   boldness: percent('Strokes', 100, { min: 50, max: 200, ends: ['fine', 'bold'] }),
   density: percent('Cover', 100, { min: 50, max: 200, ends: ['sparse', 'dense'] }),
-  strokeField: choiceOf('strokeField', {
-    label: 'Strokes follow',
-    choices: { light: 'The light', form: 'The form', acrossForm: 'Across the form', sheet: 'The sheet' },
-  }),
-  lineField: choiceOf('lineField', {
-    label: 'Lines follow',
+  direction: choiceOf('direction', {
+    label: 'Direction',
     choices: {
       auto: 'The form, if there is one',
       light: 'The light',
-      towards: 'Towards the light',
+      towardsLight: 'Towards the light',
       x: 'An axis: x',
       y: 'An axis: y',
       z: 'An axis: z',
       slant: 'A slant',
       form: 'The form',
       acrossForm: 'Across the form',
+      sheet: 'The sheet',
     },
   }),
-  strokeDirection: {
+  strokeTurn: {
     kind: 'choice',
-    label: 'Direction',
+    label: 'Strokes run',
     partOf: 'strokeAngle',
-    yieldsTo: 'lineField',
-    default: strokeDirectionOf(libraryDefault('strokeAngle')),
+    isForStrokes: true,
+    default: strokeTurnOf(libraryDefault('strokeAngle')),
     choices: { along: 'Around the light', towards: 'Towards the light', angle: 'At an angle' },
   },
   strokeAngle: {
     kind: 'number',
     label: 'Angle',
     partOf: 'strokeAngle',
-    yieldsTo: 'lineField',
-    when: { strokeDirection: ['angle'] },
+    isForStrokes: true,
+    when: { strokeTurn: ['angle'] },
     default: 45,
     unit: '°',
     min: 0,
@@ -170,16 +171,6 @@ export const STROKE_SETTINGS = inGroup('More', 'hand', {
   irregularity: numberOf('irregularity', { label: 'Irregularity' }),
   latticeSpacing: numberOf('latticeSpacing', { label: 'Anchors', min: 0.1, max: 1 }),
   edge: numberOf('edgePixels', { label: 'Soft edge', max: 4 }),
-  medium: choiceOf('medium', {
-    label: 'Medium',
-    choices: {
-      ink: 'Ink',
-      dry: 'Pencil or chalk',
-      stipple: 'Dots',
-      pen: 'Pen, in strokes',
-      woodcut: 'Cut white out of black',
-    },
-  }),
   paperGrain: numberOf('paperGrain', { label: 'Paper grain' }),
   paperGrainSize: numberOf('paperGrainSize', { label: 'Grain size', min: 0.5, max: 12 }),
   softness: numberOf('softness', { label: 'Softness' }),

@@ -7,8 +7,8 @@ import { tsl, type Value } from '../base/values.js';
 const { abs, cameraViewMatrix, cross, dot, float, inverseSqrt, length, max, normalize, positionView, select } = tsl;
 const { smoothstep, vec2, vec3 } = tsl;
 
-/** Whether lines follow the form. @param lineField the choice */
-export const followsForm = (lineField: string): boolean => lineField === 'form' || lineField === 'acrossForm';
+/** Whether strokes and lines follow the form. @param direction the choice */
+export const followsForm = (direction: string): boolean => direction === 'form' || direction === 'acrossForm';
 
 export const strokeDirection: Value = /* @__PURE__ */ hatchingUniform('strokeDirection', 'vec2');
 

@@ -3,7 +3,7 @@ import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { lineCoverage, normalDistribution, pixelFromBelow } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { toothField } from '../chunks/dryMedium.js';
+import { toothField } from '../chunks/dryMedia.js';
 import { outlineFadingAt } from '../chunks/fading.js';
 import {
   accents,

@@ -26,7 +26,7 @@ describe('frames', () => {
       'a.obj',
       octahedronObj,
       '--link',
-      'technique=engraved&reflectedLight=0',
+      'technique=engraving&reflectedLight=0',
       '--frames',
       '4',
       '--view',

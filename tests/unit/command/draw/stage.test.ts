@@ -206,7 +206,7 @@ describe('the stage', () => {
   });
 
   test('takes look, view and light from a link, but not its model', async () => {
-    const link = 'model=dragon1&technique=engraved&lineSpacing=9&lightAzimuth=12&camera=3,1,2,0.5,0,0&ink=%23203080';
+    const link = 'model=dragon1&technique=engraving&lineSpacing=9&lightAzimuth=12&camera=3,1,2,0.5,0,0&ink=%23203080';
     const { placed, lights, settings } = await staged([], link);
     expect(placed.camera.position.toArray()).toEqual([3, 1, 2]);
     expect(placed.target.toArray()).toEqual([0.5, 0, 0]);
@@ -218,7 +218,7 @@ describe('the stage', () => {
   });
 
   test('has the hatched field behind it that a link asks for', async () => {
-    const link = 'technique=engraved&shadows=off&background=on';
+    const link = 'technique=engraving&shadows=off&background=on';
     const { svgs } = await draw('a.obj', octahedronObj, '--link', link, '--sheet', '50x50', '--kind', 'pen');
     expect(svgs[0]).toContain('background"');
   });
@@ -228,8 +228,8 @@ describe('the stage', () => {
       settingsFor(optionsOf(...args), link, 'z').settings.upAxis;
     expect(upAxis([])).toBe('z');
     expect(upAxis(['--up', '-x'])).toBe('-x');
-    expect(upAxis([], 'technique=engraved')).toBe('z');
-    expect(upAxis([], 'technique=engraved&upAxis=y')).toBe('y');
+    expect(upAxis([], 'technique=engraving')).toBe('z');
+    expect(upAxis([], 'technique=engraving&upAxis=y')).toBe('y');
   });
 
   test('has no shadow on the ground without shadows', () => {

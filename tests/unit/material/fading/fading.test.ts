@@ -26,7 +26,7 @@ function fading(parameters: HatchingMaterialParameters): number[] {
 }
 
 test('depth is measured by the scene where it is known, and by the world elsewhere', () => {
-  const look = { technique: 'engraved', depthFade: 0.5, depthFadeStart: 0.25, depthFadeEnd: 2 } as const;
+  const look = { technique: 'engraving', depthFade: 0.5, depthFadeStart: 0.25, depthFadeEnd: 2 } as const;
   expect(fading({ ...look, extent })).toEqual([4.5, 22, 0.5]);
   expect(fading(look)).toEqual([0.25, 2, 0.5]);
 });
@@ -34,20 +34,20 @@ test('depth is measured by the scene where it is known, and by the world elsewhe
 test('the measure goes with the object that the extent is of', () => {
   frame.position.z = -3;
   frame.updateMatrixWorld();
-  expect(fading({ technique: 'engraved', depthFade: 1, extent })).toEqual([5, 15, 1]);
+  expect(fading({ technique: 'engraving', depthFade: 1, extent })).toEqual([5, 15, 1]);
   frame.position.z = 0;
   frame.updateMatrixWorld();
 });
 
 test('left to itself, only a deep scene fades', () => {
-  expect(fading({ technique: 'anchored', extent })).toEqual([2, 12, 0.7]);
-  expect(fading({ technique: 'anchored' })[2]).toBe(0);
+  expect(fading({ technique: 'hatching', extent })).toEqual([2, 12, 0.7]);
+  expect(fading({ technique: 'hatching' })[2]).toBe(0);
   const ball = new SceneExtent(frame, new Box3(new Vector3(-1, -1, -6), new Vector3(1, 1, -4)));
-  expect(fading({ technique: 'anchored', extent: ball })[2]).toBe(0);
+  expect(fading({ technique: 'hatching', extent: ball })[2]).toBe(0);
 });
 
 test('a fade whose end lies before its start is an edge', () => {
-  const [near, far] = fading({ technique: 'engraved', depthFade: 1, depthFadeStart: 3, depthFadeEnd: 1 });
+  const [near, far] = fading({ technique: 'engraving', depthFade: 1, depthFadeStart: 3, depthFadeEnd: 1 });
   expect(near).toBe(3);
   expect(far).toBeGreaterThan(near);
 });
@@ -61,7 +61,7 @@ test.each(['triangle', 'adjacency'] as const)('%s never fades, nor do its outlin
 });
 
 test('a copy fades as its original, and JSON keeps what is not at its default', () => {
-  const material = new HatchingMaterial({ technique: 'engraved', depthFade: 0.4, extent });
+  const material = new HatchingMaterial({ technique: 'engraving', depthFade: 0.4, extent });
   expect(material.clone()).toMatchObject({ depthFade: 0.4, extent });
   expect(material.toJSON()).toMatchObject({ depthFade: 0.4 });
   material.depthFade = 'auto';
@@ -74,7 +74,7 @@ test('the focus is handed over as the camera sees it, and none without a point',
   const eye = new PerspectiveCamera();
   eye.position.set(0, 0, 5);
   eye.updateMatrixWorld();
-  const material = new HatchingMaterial({ technique: 'engraved', focus: [1, 2, 3], focusRadius: 0.5 });
+  const material = new HatchingMaterial({ technique: 'engraving', focus: [1, 2, 3], focusRadius: 0.5 });
   writeFading(material, uniforms, renderer, eye);
   expect(uniforms.focusing.value.toArray()).toEqual([1, 2, -2, 0.5]);
   material.focus = null;
@@ -112,10 +112,10 @@ test('three.js is told to upload another importance, and not the same again', ()
   const object = new Group();
   const isOther = (technique: HatchingMaterial['technique']) =>
     writeImportance(object, takesWeight(new HatchingMaterial({ technique })), uniforms);
-  expect(isOther('engraved')).toBe(false);
+  expect(isOther('engraving')).toBe(false);
   object.userData.hatching = { importance: 0.25 };
-  expect(isOther('engraved')).toBe(true);
-  expect(isOther('engraved')).toBe(false);
+  expect(isOther('engraving')).toBe(true);
+  expect(isOther('engraving')).toBe(false);
   expect(uniforms.importance.value).toBe(0.25);
   expect(isOther('triangle')).toBe(true);
   expect(uniforms.importance.value).toBe(1);

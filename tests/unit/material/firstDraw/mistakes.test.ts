@@ -82,7 +82,7 @@ async function draw(mesh: Mesh, { lights = [sun()], ...how }: Drawing = {}): Pro
 }
 
 const anchored = (parameters: HatchingMaterialParameters = {}) =>
-  new HatchingMaterial({ technique: 'anchored', screenSpaceShare: 1, tonalArtMap: map, ...parameters });
+  new HatchingMaterial({ technique: 'hatching', screenSpaceShare: 1, tonalArtMap: map, ...parameters });
 
 const ball = (material = anchored()): Mesh => {
   const mesh = new Mesh(new SphereGeometry(), material);
@@ -96,7 +96,7 @@ describe('an ordinary mesh', () => {
   test('is drawn without a word', async () => {
     expect(await draw(ball())).toEqual([]);
     expect(await draw(ball(anchored({ screenSpaceShare: 0 })))).toEqual([]);
-    expect(await draw(ball(new HatchingMaterial({ technique: 'engraved' })))).toEqual([]);
+    expect(await draw(ball(new HatchingMaterial({ technique: 'engraving' })))).toEqual([]);
   });
 
   test('is looked at once, and again with another technique or geometry', async () => {
@@ -157,7 +157,7 @@ describe('a sentence', () => {
 describe('the surface', () => {
   test('has no map', async () => {
     expect(await draw(ball(anchored({ tonalArtMap: null })))).toEqual(about(/"ball".* without strokes.* tonalArtMap/));
-    expect(await draw(ball(new HatchingMaterial({ technique: 'engraved', tonalArtMap: null })))).toEqual([]);
+    expect(await draw(ball(new HatchingMaterial({ technique: 'engraving', tonalArtMap: null })))).toEqual([]);
   });
 
   test('is blank paper on purpose', async () => {
@@ -177,24 +177,24 @@ describe('the surface', () => {
 
   test('has no adjacency', async () => {
     const material = () => new HatchingMaterial({ technique: 'adjacency', tonalArtMap: map });
-    expect(await draw(ball(material()))).toEqual(about(/"ball".* no triangle adjacency.* technique 'anchored'/));
+    expect(await draw(ball(material()))).toEqual(about(/"ball".* no triangle adjacency.* technique 'hatching'/));
     const mesh = ball(material());
     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { layout: 'corner' });
     expect(await draw(mesh)).toEqual([]);
     mesh.geometry = await prepareHatchingGeometry(new SphereGeometry(), { layout: 'indexed' });
-    expect(await draw(mesh)).toEqual(about(/without triangle adjacency.* technique 'anchored'/));
+    expect(await draw(mesh)).toEqual(about(/without triangle adjacency.* technique 'hatching'/));
     mesh.geometry.userData = {};
-    expect(await draw(ball().copy(mesh))).toEqual(about(/has lost its triangle adjacency.* technique 'anchored'/));
+    expect(await draw(ball().copy(mesh))).toEqual(about(/has lost its triangle adjacency.* technique 'hatching'/));
   });
 
   test('has no form to follow', async () => {
-    const mesh = ball(new HatchingMaterial({ technique: 'engraved', lineField: 'form' }));
-    const found = about(/"ball".* is drawn with lineField 'light', because it was prepared without form/);
+    const mesh = ball(new HatchingMaterial({ technique: 'engraving', direction: 'form' }));
+    const found = about(/"ball".* is drawn with the direction 'light', because it was prepared without form/);
     expect(await draw(mesh)).toEqual(found);
     mesh.geometry = await prepareHatchingGeometry(mesh.geometry, { form: true });
     expect(await draw(mesh)).toEqual([]);
-    const strokes = ball(new HatchingMaterial({ strokeField: 'acrossForm' }));
-    const alike = about(/"ball".* is drawn with strokeField 'light', because it was prepared without form/);
+    const strokes = ball(new HatchingMaterial({ direction: 'acrossForm' }));
+    const alike = about(/"ball".* is drawn with the direction 'light', because it was prepared without form/);
     expect(await draw(strokes)).toEqual(alike);
     strokes.geometry = mesh.geometry;
     expect(await draw(strokes)).toEqual([]);
@@ -321,7 +321,7 @@ describe('strokes', () => {
     ],
     [
       'of lines larger than the object',
-      { technique: 'engraved', screenSpaceShare: 0, tilesPerObjectUnit: 3, lineSpacing: 5 },
+      { technique: 'engraving', screenSpaceShare: 0, tilesPerObjectUnit: 3, lineSpacing: 5 },
       0.001,
       /larger than itself.* tilesPerObjectUnit/,
     ],
@@ -334,7 +334,7 @@ describe('strokes', () => {
     ['larger than the picture of the object', { strokeWidth: 800 }, 1, /larger than itself.* strokeWidth is 800/],
     [
       'of lines larger than that',
-      { technique: 'engraved', lineSpacing: 800 },
+      { technique: 'engraving', lineSpacing: 800 },
       1,
       /larger than itself.* lineSpacing is 800/,
     ],
@@ -389,14 +389,14 @@ test('a mesh without an own sphere is drawn without a word', async () => {
   expect(new BufferGeometry().boundingSphere).toBeNull();
 });
 
-// Each test is the first to use its medium, because code is fetched once.
+// Each test is the first to use its technique, because code is fetched once.
 describe('a mesh that is drawn before its code is there', () => {
   /** Draws a mesh, then waits for the code and for some time. */
-  async function drawEarly(medium: 'dry' | 'stipple') {
+  async function drawEarly(technique: 'dryMedia' | 'stipple') {
     vi.stubGlobal('requestAnimationFrame', (callback: () => void) => callback());
     const info = { render: { frame: 1 } };
     const renderer = { info, getContext: () => ({ isContextLost: () => false }) } as unknown as WebGLRenderer;
-    const mesh = ball(anchored({ medium }));
+    const mesh = ball(anchored({ technique }));
     vi.useFakeTimers({ toFake: ['setTimeout'] });
     expect(await draw(mesh, { renderer })).toEqual([]);
     await (mesh.material as HatchingMaterial).ready;
@@ -408,7 +408,7 @@ describe('a mesh that is drawn before its code is there', () => {
   });
 
   test('and never again', async () => {
-    await drawEarly('dry');
+    await drawEarly('dryMedia');
     await vi.advanceTimersByTimeAsync(2900);
     expect(said).toEqual([]);
     await vi.advanceTimersByTimeAsync(200);

@@ -222,7 +222,10 @@ describe('bad input is rejected', () => {
       /^prepareHatchingGeometry: unknown option "layot"\. The known ones are technique, adjacency, layout, /,
     ],
     [{ adjacency: 'yes' }, /^prepareHatchingGeometry: adjacency is yes\./],
-    [{ technique: 'adjacent' }, /unknown technique 'adjacent'\. Use one of triangle, adjacency, anchored, engraved\./],
+    [
+      { technique: 'adjacent' },
+      /unknown technique 'adjacent'\. Use one of triangle, adjacency, hatching, .*, woodcut\./,
+    ],
     [{ technique: 'triangle', layout: 'indexed' }, /^prepareHatchingGeometry: the layout 'indexed' has no adjacency\./],
     [{ adjacency: true, layout: 'indexed' }, /^prepareHatchingGeometry: the layout 'indexed' has no adjacency\./],
     [null, /^prepareHatchingGeometry: the options are null\. Pass an object/],

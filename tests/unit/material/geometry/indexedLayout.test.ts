@@ -79,7 +79,7 @@ describe('the prepared geometry', () => {
       computedNormals: 4,
       zeroedValues: 0,
       layout: 'indexed',
-      lineField: 'light',
+      direction: 'light',
       bytes: 6 * (12 + 12 + 8) + 6 * 2,
     };
     expect(prepared.userData).toEqual({ mine: 1, hatching: statistics });

@@ -78,7 +78,7 @@ describe('the prepared geometry', () => {
       computedNormals: 4,
       zeroedValues: 0,
       layout: 'corner',
-      lineField: 'light',
+      direction: 'light',
       bytes: 6 * ((3 + 16 + 3) * 4 + 8),
     };
     expect(prepared.userData).toEqual({ mine: { a: 1 }, hatching: statistics });
@@ -87,9 +87,9 @@ describe('the prepared geometry', () => {
   test.each([
     [{ technique: 'triangle' }, 'corner'],
     [{ technique: 'adjacency' }, 'corner'],
-    [{ technique: 'anchored' }, 'indexed'],
-    [{ technique: 'engraved' }, 'indexed'],
-    [{ technique: 'engraved', adjacency: true }, 'corner'],
+    [{ technique: 'hatching' }, 'indexed'],
+    [{ technique: 'engraving' }, 'indexed'],
+    [{ technique: 'engraving', adjacency: true }, 'corner'],
   ] as const)('has what the technique needs: %j', async (options, layout) => {
     expect((await prepareHatchingGeometry(quad(), options)).userData.hatching.layout).toBe(layout);
   });

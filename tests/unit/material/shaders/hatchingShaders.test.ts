@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { HATCHING_TECHNIQUES, type HatchingTechnique, type Medium } from '../../../../src/look/hatchingProperties.js';
+import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../../../src/look/hatchingProperties.js';
 import { deformationShaders } from '../../../../src/material/deformation/PrePass.js';
 import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
@@ -9,11 +9,12 @@ import { hatchingShaders, plainShaders, type Shaders } from '../../../../src/mat
 import { environmentLayout } from '../../../../src/material/three/environments.js';
 
 const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
-const media = ['ink', 'dry', 'stipple'] as const;
+/** The folders of shaders, each with one of its techniques. */
+const FOLDERS = { adjacency: 'adjacency', lines: 'engraving', strokes: 'hatching', triangle: 'triangle' } as const;
 
-/** The shaders of a technique and a medium, with the part that they need. */
-async function shadersOf(technique: HatchingTechnique, medium: Medium = 'ink'): Promise<Shaders> {
-  const part = partNameOf(technique, medium);
+/** The shaders of a technique, with the part that it needs. */
+async function shadersOf(technique: HatchingTechnique): Promise<Shaders> {
+  const part = partNameOf(technique);
   return hatchingShaders(technique, part ? (await fetchPart(part)).files : undefined);
 }
 
@@ -22,17 +23,15 @@ const files = readdirSync('shaders', { recursive: true, withFileTypes: true })
   .map(({ parentPath, name }) => `${parentPath}/${name}`);
 
 describe('the shaders', () => {
-  test.each(names)('of %s have no include of ours left, in any medium', async (technique) => {
-    for (const medium of media) {
-      const { vertexShader, fragmentShader } = await shadersOf(technique, medium);
-      for (const text of [vertexShader, fragmentShader]) expect(text).not.toMatch(/#include[^<\n]*"/);
-      expect(vertexShader).toContain('void main()');
-      expect(fragmentShader).toContain('void main()');
-    }
+  test.each(names)('of %s have no include of ours left', async (technique) => {
+    const { vertexShader, fragmentShader } = await shadersOf(technique);
+    for (const text of [vertexShader, fragmentShader]) expect(text).not.toMatch(/#include[^<\n]*"/);
+    expect(vertexShader).toContain('void main()');
+    expect(fragmentShader).toContain('void main()');
   });
 
-  test('of a medium hold no other', async () => {
-    const [ink, dry, stipple] = await Promise.all(media.map((medium) => shadersOf('anchored', medium)));
+  test('of hatching, dry media and stipple hold none of each other', async () => {
+    const [ink, dry, stipple] = await Promise.all((['hatching', 'dryMedia', 'stipple'] as const).map(shadersOf));
     const holds = ({ fragmentShader }: Shaders) =>
       [/\bsmudge\b/, /\bstippleMap\b/].map((name) => name.test(fragmentShader));
     expect([ink, dry, stipple].map(holds)).toEqual([
@@ -48,20 +47,20 @@ describe('the shaders', () => {
     expect(outlineShaders()).toBe(outlineShaders());
   });
 
-  test('are resolved once and differ by technique', async () => {
-    const all = await Promise.all(names.map((technique) => shadersOf(technique)));
-    for (const [i, technique] of names.entries()) expect(await shadersOf(technique)).toBe(all[i]);
-    expect(new Set(all.map(({ vertexShader }) => vertexShader)).size).toBe(names.length);
-    expect(new Set(all.map(({ fragmentShader }) => fragmentShader)).size).toBe(names.length);
+  test('are resolved once, and differ by folder', async () => {
+    const all = await Promise.all(Object.values(FOLDERS).map(shadersOf));
+    for (const [i, technique] of Object.values(FOLDERS).entries()) expect(await shadersOf(technique)).toBe(all[i]);
+    expect(new Set(all.map(({ vertexShader }) => vertexShader)).size).toBe(all.length);
+    expect(new Set(all.map(({ fragmentShader }) => fragmentShader)).size).toBe(all.length);
+    expect(await shadersOf('woodcut')).toBe(await shadersOf('pen'));
   });
 
-  test('every technique has a folder of chunks, and every folder is a technique', () => {
-    const folders = readdirSync('shaders/techniques');
-    expect(folders.sort()).toEqual([...names].sort());
+  test('lie in a folder for each family of techniques, and for each of those per triangle', () => {
+    expect(readdirSync('shaders/techniques').sort()).toEqual(Object.keys(FOLDERS));
   });
 
   test('no file lies there for nothing', async () => {
-    const ofLooks = names.flatMap((technique) => media.map((medium) => shadersOf(technique, medium)));
+    const ofLooks = names.map(shadersOf);
     const all = [
       plainShaders(),
       deformationShaders(),
@@ -83,7 +82,7 @@ describe('the shaders', () => {
     expect(unused).toEqual([]);
   });
 
-  test('know techniques by their chunks alone', () => {
-    for (const path of files) expect(readFileSync(path, 'utf8'), path).not.toMatch(/\bTECHNIQUE/);
+  test('know the two techniques per triangle by their chunks alone', () => {
+    for (const path of files) expect(readFileSync(path, 'utf8'), path).not.toMatch(/\bTECHNIQUE_(TRIANGLE|ADJACENCY)/);
   });
 });

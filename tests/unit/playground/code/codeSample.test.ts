@@ -106,7 +106,7 @@ const looks: Record<string, Partial<Settings>> = {
   'a second light somewhere else': { secondLight: 'free', secondAzimuth: 75, secondElevation: -20 },
   'a highlight with an edge': { highlightThreshold: 20, reflectedLight: 0 },
   'layers by tone': { strokeLayers: 'tone', crossFrom: 40, crossAngle: 90, secondLight: 'right' },
-  'engraved, crossing at a right angle': { technique: 'engraved', crossFrom: 30, crossAngle: 90 },
+  'engraved, crossing at a right angle': { technique: 'engraving', crossFrom: 30, crossAngle: 90 },
   'tinted, curved, by depth': {
     technique: 'adjacency',
     toneCurve: 'contrast',
@@ -234,12 +234,12 @@ describe('codeSample', () => {
   });
 
   test.each<[Partial<Settings>, boolean]>([
-    [{ technique: 'engraved' }, false],
-    [{ technique: 'anchored', medium: 'stipple' }, false],
-    [{ technique: 'anchored', medium: 'dry' }, true],
-    [{ technique: 'adjacency', medium: 'stipple' }, true],
+    [{ technique: 'engraving' }, false],
+    [{ technique: 'stipple' }, false],
+    [{ technique: 'dryMedia' }, true],
+    [{ technique: 'adjacency' }, true],
     // The code draws one technique.
-    [{ technique: 'engraved', compare: 'adjacency' }, false],
+    [{ technique: 'engraving', compare: 'adjacency' }, false],
   ])('loads a map only for what is drawn with one: %j', async (look, isMapped) => {
     for (const mapStyle of ['file', 'ruled'] as const) {
       const settings: Settings = { ...defaultSettings(), ...look, mapStyle };
@@ -254,7 +254,7 @@ describe('codeSample', () => {
   test.each([100, 50, 0])(
     'names sizes that shrink on a small sheet, also at their defaults, and leaves that to the library: screenSpaceShare %d',
     (screenSpaceShare) => {
-      const settings: Settings = { ...defaultSettings(), technique: 'anchored', strokeWidth: 1.5, screenSpaceShare };
+      const settings: Settings = { ...defaultSettings(), technique: 'hatching', strokeWidth: 1.5, screenSpaceShare };
       const placed = lookSample(settings, 'root', { share: 'share' });
       expect(placed).toContain('preset: scalePreset(look, share),');
       expect(placed).toMatch(/strokeWidth: 1\.5,/);
@@ -263,15 +263,15 @@ describe('codeSample', () => {
   );
 
   test('has lines follow the form where the page does', () => {
-    const engraved: Settings = { ...defaultSettings(), technique: 'engraved', crossAngle: 30 };
-    for (const lineField of ['form', 'x'] as const) {
-      const settings: Settings = { ...engraved, lineField };
+    const engraved: Settings = { ...defaultSettings(), technique: 'engraving', crossAngle: 30 };
+    for (const direction of ['form', 'x'] as const) {
+      const settings: Settings = { ...engraved, direction };
       for (const sample of [codeSample(settings), codeSample(settings, 5)])
-        expect(sample).toContain(`lineField: '${lineField}'`);
+        expect(sample).toContain(`direction: '${direction}'`);
     }
-    const strokes: Settings = { ...defaultSettings(), strokeField: 'acrossForm' };
+    const strokes: Settings = { ...defaultSettings(), direction: 'acrossForm' };
     for (const sample of [codeSample(strokes), codeSample(strokes, 5)])
-      expect(sample).toContain("strokeField: 'acrossForm'");
+      expect(sample).toContain("direction: 'acrossForm'");
   });
 
   test('draws no outlines if the page draws none', async () => {

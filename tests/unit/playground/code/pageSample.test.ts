@@ -105,11 +105,11 @@ describe('copied code', () => {
   });
 
   test.each<[Partial<Settings>, boolean]>([
-    [{ technique: 'engraved' }, false],
-    [{ technique: 'anchored', medium: 'stipple' }, false],
-    [{ technique: 'engraved', compare: 'adjacency' }, false],
-    [{ technique: 'anchored', medium: 'dry' }, true],
-    [{ technique: 'adjacency', medium: 'stipple' }, true],
+    [{ technique: 'engraving' }, false],
+    [{ technique: 'stipple' }, false],
+    [{ technique: 'engraving', compare: 'adjacency' }, false],
+    [{ technique: 'dryMedia' }, true],
+    [{ technique: 'adjacency' }, true],
   ])('of a drawing loads a map only for what is drawn with one: %j', (look, isMapped) => {
     for (const mapStyle of ['file', 'ruled'] as const) {
       const text = moduleSample(drawing({ model: 'teapot' }, { ...look, mapStyle }));

@@ -38,7 +38,7 @@ const FILES: readonly never[] = [];
 
 /** A page with a model whose lines follow the form, or the light, and which was drawn or not. */
 function makePage(
-  lineField: 'form' | 'light' = 'form',
+  direction: 'form' | 'light' = 'form',
   isOnPage = true,
   simplified?: { triangles: number; error: number },
 ) {
@@ -48,7 +48,7 @@ function makePage(
   const quality = { isOnPage };
   const frames = { invalidate: () => {}, keepPictures: () => {}, leavePictures: () => {} };
   const viewport = { model, shown: { isPlaceholder: false }, quality, isComplete: true, frames };
-  const settings = { ...defaultSettings(), technique: 'engraved' as const, lineField };
+  const settings = { ...defaultSettings(), technique: 'engraving' as const, direction };
   const session = { viewport, settings, modelLoader: { shown: { title: 'A model', simplified, files: FILES } } };
   const form = new GeometryLoader(viewport as never, settings, tasks);
   const actions = new ExportActions(session as never, {} as never, line.status, tasks, form);

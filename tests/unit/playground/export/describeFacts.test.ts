@@ -16,7 +16,7 @@ const FACTS: Facts = {
     degenerateTriangles: 1,
   },
   meshes: { all: 3, formed: 2 },
-  settings: 'technique=engraved&ink=%23000000',
+  settings: 'technique=engraving&ink=%23000000',
 };
 
 test('the facts are lines that a report can hold', () => {
@@ -29,7 +29,7 @@ Sheet: 900 × 700 CSS pixels, pixel ratio 1.5
 Model: bunny
 Mesh: 3851 triangles, 42 border edges, 0 non-manifold edges, 1 without area
 Lines along the form: on 2 of 3 meshes
-Settings: technique=engraved&ink=%23000000
+Settings: technique=engraving&ink=%23000000
 `,
   );
   expect(describeFacts({ ...FACTS, statistics: undefined })).toContain('Mesh: none\n');

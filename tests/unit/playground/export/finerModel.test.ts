@@ -30,7 +30,7 @@ async function finer(settings: object) {
 test('a model that is read again has lines along the form and dark hollows, if the settings ask for them', {
   tags: ['all'],
 }, async () => {
-  const baked = await finer({ technique: 'engraved', lineField: 'form', occlusion: 100 });
+  const baked = await finer({ technique: 'engraving', direction: 'form', occlusion: 100 });
   expect(baked.triangles).toBe(7200);
   expect(baked.geometry.hasAttribute('formValue')).toBe(true);
   expect(baked.hollows).toBeGreaterThan(10);
@@ -39,7 +39,7 @@ test('a model that is read again has lines along the form and dark hollows, if t
 });
 
 test('bakes nothing that the settings do not need', async () => {
-  const baked = await finer({ technique: 'anchored', strokeField: 'light', occlusion: 0 });
+  const baked = await finer({ technique: 'hatching', direction: 'light', occlusion: 0 });
   expect(baked.geometry.hasAttribute('formValue')).toBe(false);
   expect(baked.hollows).toBe(1);
   expect(baked.stages).toEqual(['joining 7,200 triangles']);

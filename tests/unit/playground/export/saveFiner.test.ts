@@ -65,7 +65,7 @@ test('a picture uses the finer geometry, which is freed when frames resume', asy
 test('a picture of all triangles says so', async () => {
   expect(await makeStage().save()).toBe('Saved as PNG from all triangles: 10 × 20 px.');
   const { save } = makeStage();
-  expect(await save({ technique: 'engraved', lineField: 'form' })).toBe(
+  expect(await save({ technique: 'engraving', direction: 'form' })).toBe(
     'Saved as PNG from all triangles, lines laid anew: 10 × 20 px.',
   );
 });

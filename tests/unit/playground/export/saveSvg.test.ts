@@ -24,7 +24,7 @@ const viewport = { camera, scenery: { scene: 'the scene' } };
 
 /** Saves a drawing of lines, and returns what is asked of it, with what is said in the end. */
 async function saved(settings: Partial<Settings>) {
-  const look = { ...defaultSettings(), technique: 'engraved', pictureSize: 'a5', ...settings } as Settings;
+  const look = { ...defaultSettings(), technique: 'engraving', pictureSize: 'a5', ...settings } as Settings;
   const said = await saveSvg(viewport as never, look, 'cube', () => {}, new AbortController().signal);
   return { said, asked: drawn.mock.lastCall![2]! };
 }
@@ -41,12 +41,12 @@ test('a print has filled paths on its paper, and a pen has lines of its width on
 });
 
 test('strokes of a map are left out for a pen with a message; without anything else, nothing is saved', async () => {
-  const { said, asked } = await saved({ technique: 'anchored', pictureSvg: 'pen' });
+  const { said, asked } = await saved({ technique: 'hatching', pictureSvg: 'pen' });
   expect(said).toMatch(/^Saved as SVG without its strokes, which a pen cannot draw: /);
   expect(asked.picture).toBeUndefined();
   drawn.mockResolvedValue({ svg: '<svg/>', paths: 0, leftOut: [] } as never);
   vi.mocked(download).mockClear();
-  await expect(saved({ technique: 'anchored', pictureSvg: 'pen' })).rejects.toThrow(
+  await expect(saved({ technique: 'hatching', pictureSvg: 'pen' })).rejects.toThrow(
     'there are no lines: the strokes come from a map, which a pen cannot draw.',
   );
   expect(download).not.toHaveBeenCalled();

@@ -40,35 +40,35 @@ function makePage(changes: Partial<Settings>) {
 }
 
 test('form strokes are baked for every shape, and strokes that follow the light are not', async () => {
-  const { change } = makePage({ technique: 'anchored', lineField: 'auto' });
+  const { change } = makePage({ technique: 'hatching', direction: 'light' });
   expect(await change({})).toBe(0);
-  expect(await change({ strokeField: 'form' })).toBe(1);
+  expect(await change({ direction: 'form' })).toBe(1);
   expect(begun.mock.calls[0][1].form).toMatchObject({ auto: false });
-  expect(await change({ strokeField: 'acrossForm' })).toBe(1);
-  expect(await change({ strokeField: 'form', medium: 'stipple' })).toBe(1);
+  expect(await change({ direction: 'acrossForm' })).toBe(1);
+  expect(await change({ direction: 'form', technique: 'stipple' })).toBe(1);
 });
 
 test('at another angle lines are baked again, and strokes are not', async () => {
-  const { change } = makePage({ technique: 'anchored', strokeField: 'form', lineField: 'form', crossAngle: 60 });
+  const { change } = makePage({ technique: 'hatching', direction: 'form', crossAngle: 60 });
   expect(await change({})).toBe(1);
-  expect(await change({ technique: 'engraved' })).toBe(1);
+  expect(await change({ technique: 'engraving' })).toBe(1);
   expect(await change({ crossAngle: 70 })).toBe(2);
-  expect(await change({ technique: 'anchored' })).toBe(2);
+  expect(await change({ technique: 'hatching' })).toBe(2);
   expect(await change({ crossAngle: 80 })).toBe(2);
-  expect(await change({ technique: 'engraved' })).toBe(3);
+  expect(await change({ technique: 'engraving' })).toBe(3);
   expect(begun.mock.lastCall![1].form?.crossAngle).toBeCloseTo((80 / 180) * Math.PI);
 });
 
 test('strokes have the form baked for all shapes, even next to lines that do so only for some', async () => {
-  const { change } = makePage({ technique: 'engraved', lineField: 'auto' });
+  const { change } = makePage({ technique: 'engraving', direction: 'auto' });
   expect(await change({})).toBe(1);
   expect(begun.mock.lastCall![1].form?.auto).toBe(true);
-  expect(await change({ compare: 'anchored', strokeField: 'form' })).toBe(2);
+  expect(await change({ compare: 'hatching', direction: 'form' })).toBe(2);
   expect(begun.mock.lastCall![1].form?.auto).toBe(false);
 });
 
 test('each geometry fades into the next one, which frees what was made before it and nothing else', async () => {
-  const { change, viewport, form } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+  const { change, viewport, form } = makePage({ technique: 'engraving', direction: 'form', crossAngle: 60 });
   const geometries = [0, 1, 2, 3].map(() => new BufferGeometry());
   const freed: number[] = [];
   for (const [i, geometry] of geometries.entries()) geometry.addEventListener('dispose', () => freed.push(i));
@@ -93,7 +93,7 @@ test('each geometry fades into the next one, which frees what was made before it
 });
 
 test('bakes once after a slider has stopped', async () => {
-  const { change, form, viewport } = makePage({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+  const { change, form, viewport } = makePage({ technique: 'engraving', direction: 'form', crossAngle: 60 });
   expect(await change({})).toBe(1);
   const changes = [70, 75, 80].map((crossAngle) => change({ crossAngle }));
   await Promise.all(changes);
@@ -114,7 +114,7 @@ describe('adjacency', () => {
   }
 
   test('is baked once a technique asks for it, also for a comparison, and then the look is applied again', async () => {
-    const { change, viewport } = pageWithout({ technique: 'anchored' });
+    const { change, viewport } = pageWithout({ technique: 'hatching' });
     expect(await change({})).toBe(0);
     expect(await change({ compare: 'adjacencyCrisp' })).toBe(1);
     expect(begun.mock.lastCall![1]).toEqual({ form: undefined, adjacency: true });
@@ -123,14 +123,14 @@ describe('adjacency', () => {
   });
 
   test('keeps the form that was baked before, which is not baked again', async () => {
-    const { change, viewport } = pageWithout({ technique: 'engraved', lineField: 'form', crossAngle: 60 });
+    const { change, viewport } = pageWithout({ technique: 'engraving', direction: 'form', crossAngle: 60 });
     expect(await change({})).toBe(1);
     expect(begun.mock.lastCall![1].adjacency).toBe(false);
     expect(viewport.reapply).not.toHaveBeenCalled();
     expect(await change({ technique: 'adjacency', crossAngle: 70 })).toBe(2);
     expect(begun.mock.lastCall![1].adjacency).toBe(true);
     expect(begun.mock.lastCall![1].form?.crossAngle).toBeCloseTo(Math.PI / 3);
-    expect(await change({ technique: 'engraved', crossAngle: 60 })).toBe(2);
+    expect(await change({ technique: 'engraving', crossAngle: 60 })).toBe(2);
   });
 
   test('is baked once, and again after another request', async () => {
@@ -138,7 +138,7 @@ describe('adjacency', () => {
     begun.mockRejectedValue(new Error('no memory'));
     expect(await change({})).toBe(1);
     expect(await change({ crossAngle: 70 })).toBe(1);
-    expect(await change({ technique: 'anchored' })).toBe(1);
+    expect(await change({ technique: 'hatching' })).toBe(1);
     expect(await change({ technique: 'adjacency' })).toBe(2);
   });
 });

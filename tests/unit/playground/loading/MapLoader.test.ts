@@ -8,7 +8,7 @@ afterEach(() => void vi.useRealTimers());
 test('a map that is drawn after a pause is awaited until then, and drawn once however often it is asked for', () => {
   const run = vi.fn(async () => 'done');
   const nothing = (): void => {};
-  const settings = { ...defaultSettings(), technique: 'anchored' as const };
+  const settings = { ...defaultSettings(), technique: 'hatching' as const };
   const maps = new MapLoader({} as never, settings, { run } as never, nothing, nothing, nothing);
   expect(maps.isAwaited).toBe(false);
   maps.showChosenAfter(150);

@@ -20,7 +20,7 @@ function createWriter() {
   const listeners: SessionListener[] = [];
   const modelLoader = { isLoading: false, ownFiles: undefined as unknown, shown: { title: 'bunny' } };
   const session = {
-    ...{ modelLoader, link: 'technique=engraved', ownStrokes: undefined },
+    ...{ modelLoader, link: 'technique=engraving', ownStrokes: undefined },
     settings: { model: 'bunny' },
     viewport: { view: { ownPlace: undefined } },
     listen: (listener: SessionListener) => void listeners.push(listener),
@@ -42,7 +42,7 @@ test('successive changes are written once, after the last', () => {
   }
   expect(written).toEqual([]);
   vi.runAllTimers();
-  expect(written).toEqual(['technique=engraved']);
+  expect(written).toEqual(['technique=engraving']);
   expect(want, 'a drawing without files of the user').not.toHaveBeenCalled();
 });
 

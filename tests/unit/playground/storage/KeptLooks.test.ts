@@ -33,7 +33,7 @@ test('looks are restored on the next page, with every value', () => {
   const later = new KeptLooks(() => storage as never);
   expect(later.list).toEqual([lookNamed('soft')]);
   const settings = { ...defaultSettings(), ...later.list[0].look };
-  expect(settings).toMatchObject({ technique: 'anchored', medium: 'dry', shadows: 'on' });
+  expect(settings).toMatchObject({ technique: 'dryMedia', shadows: 'on' });
   expect(hasLook(settings, later.list[0].look)).toBe(true);
   expect(hasLook({ ...settings, ink: '#123456' }, later.list[0].look)).toBe(false);
 });

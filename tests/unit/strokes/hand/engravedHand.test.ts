@@ -2,20 +2,20 @@ import { describe, expect, it } from 'vitest';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HatchingOutlineMaterial } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import {
-  engravedHand,
   HAND_NUMBER_NAMES,
   HAND_NUMBER_RANGES,
   type Hand,
   type HandNumbers,
+  handLines,
 } from '../../../../src/strokes/hand/Hand.js';
 import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { random } from '../../../../src/strokes/random.js';
 import { drawSwatch } from './drawSwatch.js';
 
 const { numbers } = learnHand(drawSwatch({ taperStart: 0.2, taperEnd: 0.3, widthSpread: 0.1, wobble: 0.05 }));
-const of = (changed: Partial<HandNumbers>) => engravedHand({ numbers: { ...numbers, ...changed } });
+const of = (changed: Partial<HandNumbers>) => handLines({ numbers: { ...numbers, ...changed } });
 
-describe('engravedHand', () => {
+describe('handLines', () => {
   it.each<[keyof HandNumbers, readonly number[], (hand: ReturnType<typeof of>) => number]>([
     ['widthSpread', [0, 0.1, 0.2, 0.3], ({ material }) => material.irregularity],
     ['wobble', [0, 0.05, 0.1, 0.2], ({ material }) => material.irregularity],
@@ -45,7 +45,7 @@ describe('engravedHand', () => {
 
   it('scales with lines and outlines', () => {
     const [one, two] = [1, 2].map((factor) =>
-      engravedHand({ numbers }, { lineSpacing: 4 * factor, outlineWidth: 2 * factor }),
+      handLines({ numbers }, { lineSpacing: 4 * factor, outlineWidth: 2 * factor }),
     );
     expect(two.material.strokeLength).toBeCloseTo(2 * one.material.strokeLength);
     expect(two.outlines.wobble).toBeCloseTo(2 * one.outlines.wobble);
@@ -61,22 +61,19 @@ describe('engravedHand', () => {
           return [name, from + (to - from) * [0, 1, next() ** 3][Math.floor(3 * next())]];
         }),
       ) as unknown as HandNumbers;
-      const { material, outlines } = engravedHand({ numbers: any });
-      expect(() => new HatchingMaterial({ technique: 'engraved', ...material }).dispose()).not.toThrow();
+      const { material, outlines } = handLines({ numbers: any });
+      expect(() => new HatchingMaterial({ technique: 'engraving', ...material }).dispose()).not.toThrow();
       expect(() => new HatchingOutlineMaterial(outlines).dispose()).not.toThrow();
       expect(material.irregularity).toBeLessThanOrEqual(1);
     }
   });
 
   it.each([
-    [null, 'engravedHand: hand is null, but must be { version, strokes, numbers }; learnHand makes one from strokes.'],
-    [
-      [],
-      'engravedHand: hand is an array, but must be { version, strokes, numbers }; learnHand makes one from strokes.',
-    ],
-    [{ version: 99 }, 'engravedHand: hand.numbers is undefined, but must be an object with the learnt numbers.'],
-    [{ numbers: {} }, /^engravedHand: hand\.numbers\.\w+ is undefined, but must be a number from /],
+    [null, 'handLines: hand is null, but must be { version, strokes, numbers }; learnHand makes one from strokes.'],
+    [[], 'handLines: hand is an array, but must be { version, strokes, numbers }; learnHand makes one from strokes.'],
+    [{ version: 99 }, 'handLines: hand.numbers is undefined, but must be an object with the learnt numbers.'],
+    [{ numbers: {} }, /^handLines: hand\.numbers\.\w+ is undefined, but must be a number from /],
   ])('says what is wrong with %j', (hand, message) => {
-    expect(() => engravedHand(hand as unknown as Hand)).toThrow(message);
+    expect(() => handLines(hand as unknown as Hand)).toThrow(message);
   });
 });

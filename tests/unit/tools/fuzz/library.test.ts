@@ -46,8 +46,8 @@ function drawnNumbers({ index }: BufferGeometry, { array, itemSize }: BufferAttr
 async function sceneCase(random: Random): Promise<'good' | 'refused'> {
   const root = oddScene(random);
   const hatched = await outcome(/^(applyHatching|prepareHatchingGeometry): /, async () => {
-    const lineField = random.pick(['light', 'form', 'auto'] as const);
-    const material = random.chance(0.3) ? { technique: 'engraved' as const, lineField } : undefined;
+    const direction = random.pick(['light', 'form', 'auto'] as const);
+    const material = random.chance(0.3) ? { technique: 'engraving' as const, direction } : undefined;
     const { skipped } = await applyHatching(root, { tonalArtMap: null, material });
     for (const { error } of skipped) if (error) checkRefusal(/^(applyHatching|prepareHatchingGeometry): /, error);
   });

@@ -33,10 +33,10 @@ function modelsWith(changed: string, change: object, technique: string) {
           ...others,
           'adjacency, crisp': measured(),
           triangle: measured(),
-          anchored: measured(),
-          engraved: measured(),
-          'engraved, x': measured({ light: flips(0) }),
-          'engraved, form': measured({ light: flips(0), ink: { 0.1: 0.105, 0.8: 0.795 } }),
+          hatching: measured(),
+          engraving: measured(),
+          'engraving, x': measured({ light: flips(0) }),
+          'engraving, form': measured({ light: flips(0), ink: { 0.1: 0.105, 0.8: 0.795 } }),
           ...(name === changed && { [technique]: measured(change) }),
         },
       },
@@ -44,7 +44,7 @@ function modelsWith(changed: string, change: object, technique: string) {
   );
 }
 
-function missed(changed: string, change: object, technique = 'anchored'): string[] {
+function missed(changed: string, change: object, technique = 'hatching'): string[] {
   const models = modelsWith(changed, change, technique) as never;
   return requirements.flatMap((requirement) =>
     Object.keys(requirement.limits)
@@ -59,28 +59,28 @@ describe('requirements', () => {
   });
 
   it.each([
-    ['anchored', 'Greyness', { greyness: 0.006 }],
-    ['anchored', 'Length of strokes', { strokeLength: 0.6 }],
-    ['anchored', 'Mean jump', { edgeJump: { mean: 0.002, p95: 0, samples: 9 } }],
-    ['anchored', 'Tone error', { ink: { 0.1: 0.1, 0.8: 0.77 } }],
-    ['anchored', 'Flips', { light: flips(0.11) }],
-    ['anchored', 'Popping index of', { dolly: { flips: [0.1], popping: 2.1 } }],
-    ['anchored', 'Stroke spacing in', { zoom: { spacings: [], spread: 0.16 } }],
-    ['engraved', 'Mean jump', { edgeJump: { mean: 0.002, p95: 0, samples: 9 } }],
-    ['engraved', 'Tone error', { ink: { 0.1: 0.1, 0.8: 0.77 } }],
-    ['engraved', 'Popping index of', { dolly: { popping: 1.6, luminancePopping: 1 } }],
-    ['engraved', 'Popping index by', { dolly: { popping: 1, luminancePopping: 1.6 } }],
-    ['engraved', 'Stroke spacing in', { zoom: { spread: 0.34, octaveSpread: 0 } }],
-    ['engraved', 'Stroke spacing 1', { zoom: { spread: 0.1, octaveSpread: 0.11 } }],
-    ['engraved', 'Coherence', { coherence: 0.89 }],
-    ['engraved, x', 'Flips', { light: flips(0.001) }],
+    ['hatching', 'Greyness', { greyness: 0.006 }],
+    ['hatching', 'Length of strokes', { strokeLength: 0.6 }],
+    ['hatching', 'Mean jump', { edgeJump: { mean: 0.002, p95: 0, samples: 9 } }],
+    ['hatching', 'Tone error', { ink: { 0.1: 0.1, 0.8: 0.77 } }],
+    ['hatching', 'Flips', { light: flips(0.11) }],
+    ['hatching', 'Popping index of', { dolly: { flips: [0.1], popping: 2.1 } }],
+    ['hatching', 'Stroke spacing in', { zoom: { spacings: [], spread: 0.16 } }],
+    ['engraving', 'Mean jump', { edgeJump: { mean: 0.002, p95: 0, samples: 9 } }],
+    ['engraving', 'Tone error', { ink: { 0.1: 0.1, 0.8: 0.77 } }],
+    ['engraving', 'Popping index of', { dolly: { popping: 1.6, luminancePopping: 1 } }],
+    ['engraving', 'Popping index by', { dolly: { popping: 1, luminancePopping: 1.6 } }],
+    ['engraving', 'Stroke spacing in', { zoom: { spread: 0.34, octaveSpread: 0 } }],
+    ['engraving', 'Stroke spacing 1', { zoom: { spread: 0.1, octaveSpread: 0.11 } }],
+    ['engraving', 'Coherence', { coherence: 0.89 }],
+    ['engraving, x', 'Flips', { light: flips(0.001) }],
   ])('are missed by one figure on one model: %s, %s', (technique, name, change) => {
-    const figures = technique === 'engraved, x' ? change : { light: flips(0.05), ...change };
+    const figures = technique === 'engraving, x' ? change : { light: flips(0.05), ...change };
     expect(missed('bunny', figures, technique)).toEqual([expect.stringContaining(`${technique}: ${name}`)]);
   });
 
   it('are missed by strokes that break up on a dense mesh', () => {
-    expect(missed('dragon871k', { coherence: 0.86 })).toEqual([expect.stringContaining('anchored: Coherence')]);
+    expect(missed('dragon871k', { coherence: 0.86 })).toEqual([expect.stringContaining('hatching: Coherence')]);
   });
 
   it('ignore flips on the sphere, where the paper by Suarez et al. has none to compare with', () => {
@@ -90,7 +90,7 @@ describe('requirements', () => {
 
 describe('the page of the docs', () => {
   it('holds every model and technique, and what was not measured as an empty cell', () => {
-    const models = modelsWith('bunny', { dolly: undefined, zoom: undefined, coherence: 0.5 }, 'engraved') as never;
+    const models = modelsWith('bunny', { dolly: undefined, zoom: undefined, coherence: 0.5 }, 'engraving') as never;
     const pieces = { ink: 649, inkArea: 2, paper: 556, paperArea: 3 };
     const flat = { tone: 0.5, ink: 0.499, pieces, bands: [0.2, 0.1, 0.03, 0.02, 0.01] };
     const flatTones = {

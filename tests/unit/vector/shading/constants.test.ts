@@ -1,11 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
-import { FORM_CONSTANTS } from '../../../../src/look/constants/engravedConstants.js';
-import {
-  HATCHING_PROPERTIES,
-  HATCHING_TECHNIQUES,
-  type HatchingTechnique,
-} from '../../../../src/look/hatchingProperties.js';
+import { FORM_CONSTANTS } from '../../../../src/look/constants/lineConstants.js';
+import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../../../src/look/hatchingProperties.js';
 import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
@@ -82,10 +78,8 @@ describe('numbers that shaders and the processor share', () => {
   test('are defined exactly once in every program that uses them', async () => {
     const programs = [outlineShaders(), backgroundShaders()];
     for (const technique of Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[]) {
-      for (const medium of HATCHING_PROPERTIES.medium.choices) {
-        const part = partNameOf(technique, medium);
-        programs.push(hatchingShaders(technique, part ? (await fetchPart(part)).files : undefined));
-      }
+      const part = partNameOf(technique);
+      programs.push(hatchingShaders(technique, part ? (await fetchPart(part)).files : undefined));
     }
     for (const text of new Set(
       programs.flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader]),

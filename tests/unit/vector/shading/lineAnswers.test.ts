@@ -2,7 +2,13 @@ import { mat4, vec3 } from 'gl-matrix';
 import { normalize, type Vec3 } from '../../../../src/look/vectors.js';
 import { cutFor, cutWidth, rowOctaves } from '../../../../src/vector/shading/carving.js';
 import { leftOf, otherShare, sharedByTwo, takenOf } from '../../../../src/vector/shading/crossedTones.js';
-import { across, type CutField, fieldAt, fieldLight, firstField } from '../../../../src/vector/shading/fieldAxis.js';
+import {
+  across,
+  type CutDirection,
+  fieldAt,
+  fieldLight,
+  firstField,
+} from '../../../../src/vector/shading/fieldAxis.js';
 import {
   handPoint,
   handPressure,
@@ -256,13 +262,13 @@ answers(
 
 answers(
   'firstField',
-  (lineField: CutField, axis: Vec3, bend: number, rotation: number) => {
-    const field = firstField(lineField, { axis: normalize(axis), bend }, rotation);
+  (direction: CutDirection, axis: Vec3, bend: number, rotation: number) => {
+    const field = firstField(direction, { axis: normalize(axis), bend }, rotation);
     return [...field.axis, field.bend];
   },
   `
   "light", [1, 2, 2], 0.3, 0.5 → [-0.136283717, 0.585055041, 0.79946066, 0.263274769]
-  "towards", [2, -1, 2], 0.2, -0.4 → [-0.391676247, -0.129806114, 0.910900703, 0.0778836685]
+  "towardsLight", [2, -1, 2], 0.2, -0.4 → [-0.391676247, -0.129806114, 0.910900703, 0.0778836685]
   "light", [0, 1, 0], 0, 0.7 → [0.644217687, 0.764842187, 0, 0]
   # By hand: the axis itself, without a lamp.
   "y", [1, 0, 0], 0.3, 0.5 → [0, 1, 0, 0]
@@ -523,8 +529,8 @@ const form: NonNullable<LineSettings['form']> = [
 answers(
   'darkness of fragments',
   (
-    lineField: LineSettings['lineField'],
-    medium: 'ink' | 'pen' | 'woodcut',
+    direction: LineSettings['direction'],
+    technique: 'engraving' | 'pen' | 'woodcut',
     shadowStrokes: 'tone' | 'cross' | 'reorient',
     isOrthographic: boolean,
     lit: keyof typeof LIGHTS,
@@ -547,12 +553,12 @@ answers(
       tone: (_at: Vec3, _normal: Vec3, hasShadows = true) => (hasShadows ? tone : unshadowed),
       turnsAway: (light: ReferenceLight) => LIGHTS[dark].includes(light as never),
     } as unknown as HatchingReference;
-    const isForm = lineField === 'form' || lineField === 'acrossForm';
+    const isForm = direction === 'form' || direction === 'acrossForm';
     const darknessOf = engravedDarkness(
       {
         lines: {
-          lineField,
-          medium,
+          direction,
+          technique,
           lineSpacing,
           strokeLength,
           crossFrom,
@@ -569,20 +575,20 @@ answers(
     return darknessOf([...place], [...normal], [...normal], [...flatNormal], false);
   },
   `
-  "light", "ink", "tone", true, "sun", "none", [6, 65, 0.8, 0.49, 0.04], [-0.78, -0.54, -0.42], [-0.83, 0.08, -0.29], [-0.98, 0.22, -0.28], 0.49, 0.49 → 0.148091233
-  "x", "ink", "tone", false, "both", "none", [8.3, 88, 0.86, 0.3, 0.8], [0.79, -0.36, -0.7], [-0.84, 0.24, -0.15], [-0.73, 0.33, -0.03], 0.48, 0.48 → 0.131089329
-  "y", "ink", "tone", false, "sun", "none", [3.6, 127, 0.55, 0.9, 0.45], [-0.74, -0.88, 0.17], [-0.3, 0.48, 0.49], [-0.37, 0.42, 0.66], 0.12, 0.12 → 0.0310108897
-  "acrossForm", "ink", "tone", false, "lamp", "none", [7.3, 98, 0.35, 0.42, 0.31], [0.7, -0.76, 0.05], [0.37, 0.2, -0.12], [0.43, 0.14, -0.12], 0.25, 0.25 → 0.260675569
+  "light", "engraving", "tone", true, "sun", "none", [6, 65, 0.8, 0.49, 0.04], [-0.78, -0.54, -0.42], [-0.83, 0.08, -0.29], [-0.98, 0.22, -0.28], 0.49, 0.49 → 0.148091233
+  "x", "engraving", "tone", false, "both", "none", [8.3, 88, 0.86, 0.3, 0.8], [0.79, -0.36, -0.7], [-0.84, 0.24, -0.15], [-0.73, 0.33, -0.03], 0.48, 0.48 → 0.131089329
+  "y", "engraving", "tone", false, "sun", "none", [3.6, 127, 0.55, 0.9, 0.45], [-0.74, -0.88, 0.17], [-0.3, 0.48, 0.49], [-0.37, 0.42, 0.66], 0.12, 0.12 → 0.0310108897
+  "acrossForm", "engraving", "tone", false, "lamp", "none", [7.3, 98, 0.35, 0.42, 0.31], [0.7, -0.76, 0.05], [0.37, 0.2, -0.12], [0.43, 0.14, -0.12], 0.25, 0.25 → 0.260675569
   "slant", "pen", "tone", false, "lamp", "none", [5.8, 55, 0.55, 1, 0.16], [0.16, 0.04, -0.3], [0.57, 0.78, -0.84], [0.48, 0.78, -0.75], 0.61, 0.61 → 0.552861516
   "form", "pen", "tone", false, "both", "none", [3.3, 116, 0.57, 0.72, 0.96], [0.91, -0.68, -0.46], [0.21, 0.48, -0.36], [0.41, 0.63, -0.48], 0.66, 0.66 → 0.74883363
   "light", "woodcut", "tone", false, "lamp", "none", [8.9, 123, 0.74, 0.36, 0.56], [-0.61, -0.89, 0.16], [0.53, -0.13, -0.33], [0.49, -0.19, -0.29], 0.38, 0.38 → 0.654106188
-  "towards", "woodcut", "tone", false, "both", "none", [6.4, 111, 0.65, 0.34, 0.88], [0.61, -0.86, 0.66], [0.08, 0.02, 0.83], [-0.11, -0.01, 0.88], 0.65, 0.65 → 0.966673564
+  "towardsLight", "woodcut", "tone", false, "both", "none", [6.4, 111, 0.65, 0.34, 0.88], [0.61, -0.86, 0.66], [0.08, 0.02, 0.83], [-0.11, -0.01, 0.88], 0.65, 0.65 → 0.966673564
   "y", "woodcut", "tone", false, "lamp", "none", [6.7, 40, 0.86, 0.7, 0.05], [0.93, 0.12, 0.9], [-0.07, 0.86, 0.59], [-0.06, 0.96, 0.66], 0.74, 0.74 → 0.950243766
   "acrossForm", "woodcut", "tone", false, "both", "none", [5.6, 121, 0.86, 0.56, 0.14], [-0.1, 0.08, 0.16], [-0.67, 0.64, -0.75], [-0.55, 0.63, -0.72], 0.66, 0.66 → 0.793552939
-  "towards", "ink", "cross", true, "lamp", "none", [6.1, 129, 0.23, 0.46, 0.9], [0.7, -0.42, 0.88], [-0.44, -0.05, -0.62], [-0.54, -0.09, -0.43], 0.7516, 0.73 → 0.362832623
-  "z", "ink", "cross", false, "lamp", "none", [8.2, 90, 0.66, 0.79, 0.11], [0.63, -0.61, -0.97], [-0.04, -0.7, -0.37], [-0.15, -0.72, -0.3], 0.7376, 0.18 → 0.582542982
-  "slant", "ink", "cross", false, "both", "none", [3.3, 117, 0.47, 0.18, 0.85], [0.23, 0.2, -0.42], [0.35, 0.18, 0.71], [0.17, 0.18, 0.74], 0.4978, 0.07 → 0.133581064
-  "towards", "pen", "cross", false, "sun", "none", [8.5, 73, 0.45, 0.81, 0.36], [-0.64, -0.4, -0.08], [0.56, -0.41, -0.62], [0.74, -0.5, -0.49], 0.5474, 0.38 → 0.387021499
+  "towardsLight", "engraving", "cross", true, "lamp", "none", [6.1, 129, 0.23, 0.46, 0.9], [0.7, -0.42, 0.88], [-0.44, -0.05, -0.62], [-0.54, -0.09, -0.43], 0.7516, 0.73 → 0.362832623
+  "z", "engraving", "cross", false, "lamp", "none", [8.2, 90, 0.66, 0.79, 0.11], [0.63, -0.61, -0.97], [-0.04, -0.7, -0.37], [-0.15, -0.72, -0.3], 0.7376, 0.18 → 0.582542982
+  "slant", "engraving", "cross", false, "both", "none", [3.3, 117, 0.47, 0.18, 0.85], [0.23, 0.2, -0.42], [0.35, 0.18, 0.71], [0.17, 0.18, 0.74], 0.4978, 0.07 → 0.133581064
+  "towardsLight", "pen", "cross", false, "sun", "none", [8.5, 73, 0.45, 0.81, 0.36], [-0.64, -0.4, -0.08], [0.56, -0.41, -0.62], [0.74, -0.5, -0.49], 0.5474, 0.38 → 0.387021499
   "x", "pen", "cross", false, "lamp", "none", [3.4, 49, 0.45, 0.88, 0.74], [0.49, 0.14, 0.24], [-0.18, 0.18, 0.82], [-0.3, 0.22, 0.92], 0.5372, 0.11 → 0.962728233
   "form", "pen", "cross", false, "both", "none", [6.7, 129, 0.94, 0.65, 0.19], [0.19, 0.19, 0.39], [0.25, -0.41, -0.76], [0.42, -0.49, -0.61], 0.55, 0.4 → 0.880493866
   "acrossForm", "pen", "cross", false, "sun", "none", [5.5, 84, 0.12, 0.83, 0.71], [0.01, -0.36, 0.94], [-0.11, 0.32, 0.3], [0.01, 0.28, 0.43], 0.6868, 0.46 → 0.875912729
@@ -592,15 +598,15 @@ answers(
   "slant", "woodcut", "cross", true, "sun", "none", [5.2, 65, 0.98, 0.3, 0.91], [-0.33, -0.43, -0.73], [-0.18, 0.82, -0.15], [-0.06, 0.92, -0.24], 0.648, 0.2 → 0.756938283
   "form", "woodcut", "cross", false, "lamp", "none", [6.4, 105, 0.69, 0.29, 0.12], [0.46, -0.11, -0.42], [0.96, 0.15, 0.51], [1.09, 0.35, 0.5], 0.4708, 0.46 → 0.68520202
   "acrossForm", "woodcut", "cross", false, "both", "none", [8.3, 95, 0.66, 0.03, 0.88], [-0.65, 0.03, 0.27], [0.85, -0.47, -0.14], [0.88, -0.51, -0.07], 0.846, 0.8 → 0.912919855
-  "form", "ink", "reorient", false, "sun", "sun", [6.2, 30, 0.42, 0.94, 0.27], [-0.4, -0.36, -0.44], [0.37, -0.88, -0.33], [0.33, -0.85, -0.48], 0.16, 0.16 → 0.0347397565
+  "form", "engraving", "reorient", false, "sun", "sun", [6.2, 30, 0.42, 0.94, 0.27], [-0.4, -0.36, -0.44], [0.37, -0.88, -0.33], [0.33, -0.85, -0.48], 0.16, 0.16 → 0.0347397565
   "light", "pen", "reorient", false, "both", "sun", [5.7, 130, 0.59, 0.18, 0.41], [-0.55, -0.14, 0.39], [0.1, 0.78, -0.48], [0.09, 0.94, -0.53], 0.76, 0.76 → 0.724140979
-  "towards", "pen", "reorient", false, "sun", "lamp", [4.5, 58, 0.85, 0.19, 0.2], [0.24, 0.43, 0.24], [-0.58, 0.95, -0.88], [-0.43, 0.82, -0.84], 0.92, 0.92 → 0.877989644
+  "towardsLight", "pen", "reorient", false, "sun", "lamp", [4.5, 58, 0.85, 0.19, 0.2], [0.24, 0.43, 0.24], [-0.58, 0.95, -0.88], [-0.43, 0.82, -0.84], 0.92, 0.92 → 0.877989644
   "x", "pen", "reorient", false, "lamp", "lamp", [4.6, 113, 0.62, 0.95, 0.75], [-0.68, 0.3, 0.24], [-0.56, -0.31, -0.87], [-0.57, -0.4, -0.7], 0.37, 0.37 → 0.925270398
   "y", "pen", "reorient", false, "both", "lamp", [3.5, 128, 0.72, 0.26, 0.62], [0.72, 0.08, 0.92], [0.51, 0.87, -0.87], [0.55, 0.85, -1.03], 0.24, 0.24 → 0.64172429
   "z", "pen", "reorient", true, "sun", "both", [6.2, 119, 0.24, 0.88, 0.02], [-0.47, 0.63, -0.68], [-0.89, 0.74, 0.86], [-0.83, 0.85, 0.76], 0.45, 0.45 → 0.929189648
   "slant", "pen", "reorient", false, "lamp", "both", [3.2, 93, 0.55, 0.27, 0.11], [0.09, -0.56, -0.67], [-0.01, 0.03, -0.15], [-0.06, 0.21, -0.23], 0.92, 0.92 → 0.92261346
   "acrossForm", "pen", "reorient", false, "sun", "sun", [4.9, 122, 0.65, 0.49, 0.81], [0.88, -0.01, 0.62], [0.62, 0.71, -0.18], [0.73, 0.63, -0.12], 0.24, 0.24 → 0.40820803
-  "towards", "woodcut", "reorient", true, "both", "sun", [7.9, 68, 0.77, 0.91, 0.49], [-0.9, -0.13, 0.15], [-0.72, -0.97, -0.95], [-0.7, -1.09, -0.86], 0.59, 0.59 → 0.9180625
+  "towardsLight", "woodcut", "reorient", true, "both", "sun", [7.9, 68, 0.77, 0.91, 0.49], [-0.9, -0.13, 0.15], [-0.72, -0.97, -0.95], [-0.7, -1.09, -0.86], 0.59, 0.59 → 0.9180625
   "y", "woodcut", "reorient", false, "lamp", "lamp", [8.5, 85, 0.66, 0.87, 0.58], [0.1, 0.21, -0.59], [0.94, -0.06, 0.37], [0.89, 0.12, 0.49], 0.42, 0.42 → 0.155688514
   "form", "woodcut", "reorient", true, "lamp", "both", [3, 40, 0.42, 0.18, 0.19], [0.13, 0.55, -0.06], [0.17, 0.67, -0.07], [0.18, 0.72, 0.02], 0.2, 0.2 → 0.507336423
   "y", "pen", "tone", false, "both", "none", [5.3, 58, 0.35, 0.04, 0.64], [0.55, 0.96, 0.73], [0.41, 0.99, 0.46], [0.32, 1.11, 0.32], 0.3, 0.3 → 0.30279107

@@ -18,7 +18,7 @@ const numbersOf = (svg: string, axis: number): number[] =>
 
 describe('clipping planes', () => {
   test('of a material: a box has neither lines nor outlines beyond them', async () => {
-    const mesh = await hatchedMesh(new BoxGeometry(1.2, 1.2, 1.2), { material: { exposure: 1, lineField: 'slant' } });
+    const mesh = await hatchedMesh(new BoxGeometry(1.2, 1.2, 1.2), { material: { exposure: 1, direction: 'slant' } });
     mesh.rotation.set(0.4, 0.5, 0);
     const whole = await draw(mesh, { kind: 'pen' });
     expect(Math.min(...numbersOf(whole.svg, 0))).toBeLessThan(15);
@@ -97,7 +97,7 @@ describe('flat faces', () => {
   const facetted = (look: object) =>
     hatchedMesh(new SphereGeometry(0.9, 8, 6), {
       outlines: false,
-      material: { exposure: 1, lineField: 'z', irregularity: 0, crossFrom: 1, ...look },
+      material: { exposure: 1, direction: 'z', irregularity: 0, crossFrom: 1, ...look },
     });
 
   test('have one tone each, by either property', async () => {
@@ -113,7 +113,7 @@ describe('flat faces', () => {
     // A body with face normals as attributes gives the same, except for the positions of lines.
     const hard = await hatchedMesh(new SphereGeometry(0.9, 8, 6).toNonIndexed(), {
       outlines: false,
-      material: { exposure: 1, lineField: 'z', irregularity: 0, crossFrom: 1 },
+      material: { exposure: 1, direction: 'z', irregularity: 0, crossFrom: 1 },
     });
     hard.geometry.computeVertexNormals();
     const box = [18, 18, 24, 24] as const;

@@ -110,7 +110,7 @@ describe('the sheet', () => {
     ['pen', 12],
   ] as const)('holds all ink: %s, margin %s', async (kind, margin) => {
     // A body larger than the camera's picture, which clips it.
-    const mesh = await hatchedMesh(new SphereGeometry(1.6, 32, 24), { material: { lineField: 'y' } });
+    const mesh = await hatchedMesh(new SphereGeometry(1.6, 32, 24), { material: { direction: 'y' } });
     const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0.3, 0.2, 1), {
       kind,
       margin,
@@ -190,11 +190,11 @@ test('what cannot be drawn as lines is listed, and still hides what is behind it
   const before = new Mesh(new BoxGeometry(3, 3, 0.1), new MeshBasicMaterial());
   before.name = 'door';
   before.position.z = 1;
-  const stippled = await hatchedMesh(new SphereGeometry(0.1, 16, 12), { material: { technique: 'anchored' } });
+  const stippled = await hatchedMesh(new SphereGeometry(0.1, 16, 12), { material: { technique: 'hatching' } });
   const { paths, leftOut } = await drawSVG(sceneOf(behind, before, stippled), cameraAt(0, 0, 1), SMALL);
   expect(paths).toBe(0);
   expect(leftOut.map(({ object, reason }) => [object === before || object === stippled, reason])).toEqual([
     [true, 'The Mesh "door" at Scene/door has no lines: its material is no HatchingMaterial.'],
-    [true, "The Mesh at Scene/Mesh[3] has no lines: strokes of the technique 'anchored' are drawn from images."],
+    [true, "The Mesh at Scene/Mesh[3] has no lines: strokes of the technique 'hatching' are drawn from images."],
   ]);
 });

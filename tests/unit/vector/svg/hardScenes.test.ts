@@ -77,7 +77,7 @@ describe('scenes that are hard to draw', () => {
 
 describe('what is drawn of a mesh', () => {
   test('a mirrored mesh, whose front stays its front', { tags: ['all'] }, async () => {
-    const make = () => planeOfTone(0.5, { lineField: 'y' });
+    const make = () => planeOfTone(0.5, { direction: 'y' });
     const [one, other] = [await make(), await make()];
     other.scale.x = -1;
     expect((await draw(one)).paths).toBeGreaterThan(20);
@@ -137,7 +137,7 @@ describe('what is drawn of a mesh', () => {
     model.add(plain);
     plain.geometry = await prepareHatchingGeometry(new TorusGeometry(0.7, 0.3, 32, 64), { form: true });
     plain.material.setValues({
-      lineField: 'form',
+      direction: 'form',
       irregularity: 0,
       crossFrom: 1,
       toneCurve: [

@@ -19,6 +19,7 @@ import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { expect, test } from 'vitest';
+import { drawsLines } from '../../../../src/look/queries.js';
 import * as forms from '../../../../src/playground/models/forms.js';
 import { makeDrapery } from '../../../../src/playground/models/makeDrapery.js';
 import { makeFish } from '../../../../src/playground/models/makeFish.js';
@@ -87,8 +88,8 @@ const MODELS: Readonly<Record<string, readonly [make: () => Object3D, view: View
   sphere: [() => joined(new IcosahedronGeometry(1, 12)), USUAL],
 };
 const PRESETS = (Object.keys(presets) as PresetName[]).filter((name) => {
-  const { technique, medium } = presets[name].material;
-  return technique === 'engraved' || medium === 'stipple';
+  const { technique } = presets[name].material;
+  return drawsLines(technique!) || technique === 'stipple';
 });
 
 /** A scene with a model of radius 1 around the origin. */

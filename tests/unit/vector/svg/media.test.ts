@@ -20,7 +20,7 @@ function extentOf(data: string): number {
 describe('a pen', () => {
   const draw = async (tone: number, kind: 'print' | 'pen' = 'print', irregularity = 0.6) => {
     const mesh = await planeOfTone(tone, {
-      medium: 'pen',
+      technique: 'pen',
       strokeLength: 60,
       lineSpacing: 5,
       crossFrom: 1,
@@ -71,7 +71,7 @@ describe('a pen', () => {
 
 describe('a woodcut', () => {
   const draw = async (tone: number, kind: 'print' | 'pen' = 'print', side = SIDE) => {
-    const mesh = await planeOfTone(tone, { medium: 'woodcut', strokeLength: 100, lineSpacing: 7 });
+    const mesh = await planeOfTone(tone, { technique: 'woodcut', strokeLength: 100, lineSpacing: 7 });
     return drawSVG(sceneOf(mesh), cameraAt(0, 0, 1), { kind, sheet: [side, side], margin: 0 });
   };
 
@@ -97,9 +97,9 @@ describe('a woodcut', () => {
   });
 });
 
-describe.each(['pen', 'woodcut'] as const)('a ring in the medium %s', (medium) => {
+describe.each(['pen', 'woodcut'] as const)('a ring drawn with %s', (technique) => {
   const draw = async (leastWidth: number): Promise<string[]> => {
-    const mesh = await hatchedMesh(new TorusGeometry(0.6, 0.3, 32, 64), { outlines: false, material: { medium } });
+    const mesh = await hatchedMesh(new TorusGeometry(0.6, 0.3, 32, 64), { outlines: false, material: { technique } });
     const options = { sheet: [105, 105], margin: 0, leastWidth } as const;
     return pathsOf((await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), options)).svg);
   };

@@ -46,7 +46,7 @@ async function draw(mesh: Mesh, camera = cameraAt(2.2, 1.7, 2.9)) {
   };
 }
 
-const blank = (parameters = {}) => new HatchingMaterial({ technique: 'engraved', ...BLANK, ...parameters });
+const blank = (parameters = {}) => new HatchingMaterial({ technique: 'engraving', ...BLANK, ...parameters });
 
 test('they fade to the same ink, and are not there at 0', async () => {
   const mesh = await boxOf();

@@ -90,7 +90,7 @@ function expectAlike(one: number, other: number, share: number): void {
 }
 
 describe('skins', () => {
-  const still: HatchingMaterialParameters = { lineField: 'x', exposure: 1, colorHatching: 0 };
+  const still: HatchingMaterialParameters = { direction: 'x', exposure: 1, colorHatching: 0 };
 
   test('a skin whose bones all turn is the mesh turned, lines and outlines', async () => {
     const { mesh, lower } = await skinned(column(), { material: still });
@@ -108,7 +108,7 @@ describe('skins', () => {
   });
 
   test('the lines of the light know the pose of the first bone', async () => {
-    const material: HatchingMaterialParameters = { ...still, lineField: 'light' };
+    const material: HatchingMaterialParameters = { ...still, direction: 'light' };
     const { mesh, lower } = await skinned(column(), { material, outlines: false });
     lower.rotation.set(0, 0, 0.7);
     const plain = await hatchedMesh(column(), { material, outlines: false });
@@ -132,7 +132,7 @@ describe('skins', () => {
   test('lines that are cut as the skin is posed are those of the baked pose, and its lines at rest have their tone', async () => {
     const material: HatchingMaterialParameters = {
       ...still,
-      lineField: 'y',
+      direction: 'y',
       strokeAnchor: 'deformed',
       irregularity: 0,
       crossFrom: 1,
@@ -184,7 +184,7 @@ describe('morph targets', () => {
   test('a ball that is half way to one twice as high is hidden, shaded and outlined as such', async () => {
     const ball = () => new SphereGeometry(0.5, 48, 32);
     const material: HatchingMaterialParameters = {
-      lineField: 'z',
+      direction: 'z',
       exposure: 1,
       irregularity: 0,
       strokeAnchor: 'deformed',
@@ -204,7 +204,7 @@ describe('morph targets', () => {
   test('a target that moves all of a body moves its lines with it, through a skin as well', {
     tags: ['all'],
   }, async () => {
-    const material: HatchingMaterialParameters = { lineField: 'y', exposure: 1 };
+    const material: HatchingMaterialParameters = { direction: 'y', exposure: 1 };
     const box = () => new BoxGeometry(0.8, 0.8, 0.8, 6, 6, 6);
     const source = bind(morphing(box(), box().translate(0.3, 0, 0)), 5, 6);
     const { mesh, lower } = await skinned(source, { material });

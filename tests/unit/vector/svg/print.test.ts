@@ -37,7 +37,7 @@ describe('tone 1 is solid', () => {
 
 describe('lines that are thinner than a press holds', { tags: ['all'] }, () => {
   const draw = async (tone: number, leastWidth?: number, camera: Camera = cameraAt(0, 0, 1, true)) => {
-    const mesh = await planeOfTone(tone, { lineField: 'y' });
+    const mesh = await planeOfTone(tone, { direction: 'y' });
     return pathsOf((await drawSVG(sceneOf(mesh), camera, { sheet: [105, 105], margin: 0, leastWidth })).svg);
   };
   /** The left end, length and height of lines that run to the right. */

@@ -139,11 +139,15 @@ describe('the shadow on a ground', () => {
     },
   );
 
-  test.each(cases<readonly ('ink' | 'pen' | 'woodcut')[]>(['ink'], ['ink', 'pen', 'woodcut']))(
+  test.each(cases<readonly ('engraving' | 'pen' | 'woodcut')[]>(['engraving'], ['engraving', 'pen', 'woodcut']))(
     'has the right tone at five stages of dissolving, drawn with %s',
     { tags: ['more'] },
-    async (medium) => {
-      const { scene, ground, sun } = await groundScene({ medium, strokeLength: 30 }, plate(0.4), 0);
+    async (technique) => {
+      const { scene, ground, sun } = await groundScene(
+        { technique, ...(technique !== 'engraving' && { strokeLength: 30 }) },
+        plate(0.4),
+        0,
+      );
       // The distance at which a shadow loses all of its tone at shadowFade 1: the width of the light's camera.
       const share = 0.4 / sun.position.clone().normalize().z / 4;
       for (const left of cases([0.8, 0.2], [0.9, 0.7, 0.5, 0.3, 0.1])) {
@@ -175,7 +179,7 @@ describe('the shadow on a ground', () => {
 });
 
 test('lines turn only in the shadow of the only light', async () => {
-  const { scene, ground, sun } = await groundScene({ lineField: 'light', shadowStrokes: 'reorient' }, plate(0.2));
+  const { scene, ground, sun } = await groundScene({ direction: 'light', shadowStrokes: 'reorient' }, plate(0.2));
   ground.material.toneModel = 'lambert';
   ground.material.reflectedLight = 0;
   ground.material.toneCurve = [
@@ -205,7 +209,7 @@ test('lines turn only in the shadow of the only light', async () => {
 
 test('a ground that writes no depth hides nothing, and one that does hides what is below it', async () => {
   const { scene, ground } = await groundScene({}, plate(0.3));
-  const below = await hatchedMesh(new PlaneGeometry(1, 1), { material: { lineField: 'x' } });
+  const below = await hatchedMesh(new PlaneGeometry(1, 1), { material: { direction: 'x' } });
   below.position.z = -0.2;
   scene.add(below);
   const outlines = async () =>
@@ -221,7 +225,7 @@ test.each(cases([2], [0, 2, 4]))(
   async (radius) => {
     const { scene, ground, sun } = await groundScene({}, plate(0.4), radius);
     ground.material.toneModel = 'lambert';
-    ground.material.lineField = 'x';
+    ground.material.direction = 'x';
     sun.shadow.mapSize.setScalar(64);
     // The filter is a tent as wide as its samples plus one texel; on the ground it is wider by the angle of the light.
     const texel = 4 / 64;
@@ -246,8 +250,8 @@ describe('lines of a shadow', () => {
   }
 
   const LOOKS: [string, HatchingMaterialParameters][] = [
-    ['at 60°, where the first has none', { lineField: 'z' }],
-    ['at 90°, where the first has none', { lineField: 'z', crossAngle: Math.PI / 2 }],
+    ['at 60°, where the first has none', { direction: 'z' }],
+    ['at 90°, where the first has none', { direction: 'z', crossAngle: Math.PI / 2 }],
   ];
 
   test.each(cases(LOOKS.slice(0, 1), LOOKS))(

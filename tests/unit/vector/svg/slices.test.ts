@@ -49,7 +49,7 @@ const camera = cameraAt(0.4, 1, 2.8);
 
 beforeAll(async () => {
   for (const [tubular, radial] of SIZES) {
-    const mesh = await hatchedMesh(new TorusGeometry(0.7, 0.3, tubular, radial), { material: { lineField: 'light' } });
+    const mesh = await hatchedMesh(new TorusGeometry(0.7, 0.3, tubular, radial), { material: { direction: 'light' } });
     scenes.push(sceneOf(mesh));
   }
 });

@@ -44,9 +44,9 @@ function discOf(ring: readonly number[]): Circle {
 }
 
 async function stippledPlane(tone: number): Promise<Mesh<BufferGeometry, HatchingMaterial>> {
-  const geometry = await prepareHatchingGeometry(new PlaneGeometry(3, 3, 4, 4), { technique: 'anchored' });
+  const geometry = await prepareHatchingGeometry(new PlaneGeometry(3, 3, 4, 4), { technique: 'hatching' });
   const material = new HatchingMaterial({
-    ...{ technique: 'anchored', medium: 'stipple', screenSpaceShare: 1, strokeWidth: 2, strokeLayers: 'single' },
+    ...{ technique: 'stipple', screenSpaceShare: 1, strokeWidth: 2, strokeLayers: 'single' },
     reflectedLight: 0,
     toneCurve: [
       [0, tone],
@@ -120,10 +120,9 @@ describe('dots', () => {
   });
 
   test('stay where they are on the object while the light moves', async () => {
-    const geometry = await prepareHatchingGeometry(new SphereGeometry(1, 32, 24), { technique: 'anchored' });
+    const geometry = await prepareHatchingGeometry(new SphereGeometry(1, 32, 24), { technique: 'hatching' });
     const material = new HatchingMaterial({
-      technique: 'anchored',
-      medium: 'stipple',
+      technique: 'stipple',
       screenSpaceShare: 0,
       strokeLayers: 'single',
       strokeWidth: 3,

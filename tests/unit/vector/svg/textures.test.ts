@@ -122,7 +122,7 @@ describe('a texture becomes tone', () => {
         columns,
         Array.from({ length: columns }, (_, i) => [i % 2 === 0 ? 0 : 255, 255] as const),
       );
-    const { svg } = await draw(await painted({ map: stripes(42), lineField: 'y' }));
+    const { svg } = await draw(await painted({ map: stripes(42), direction: 'y' }));
     const tones = Array.from({ length: 20 }, (_, i) => coverageOf(pathsOf(svg), [21 + i, 5, 1, 50]));
     expect(Math.max(...tones) - Math.min(...tones)).toBeGreaterThan(0.2);
     // No line is missing in the middle, where rays run along an axis.

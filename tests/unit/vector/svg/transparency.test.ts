@@ -82,9 +82,9 @@ describe('see-through surfaces', () => {
   });
 
   test('with what is behind them they print as much as on the canvas, where inks are added', async () => {
-    const front = await planeOfTone(0.6, { transparent: true, opacity: 0.5, lineField: 'y' });
+    const front = await planeOfTone(0.6, { transparent: true, opacity: 0.5, direction: 'y' });
     front.position.z = 0.5;
-    const { paths } = await draw(await planeOfTone(0.6, { lineField: 'x' }), front);
+    const { paths } = await draw(await planeOfTone(0.6, { direction: 'x' }), front);
     // Printed over one another they would cover 0.51.
     expect(Math.abs(coverageOf(paths, [2, 2, 36, 36], 300) - 0.6)).toBeLessThan(0.025);
   });

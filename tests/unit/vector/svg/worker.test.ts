@@ -33,7 +33,7 @@ class DrawingWorker extends FakeWorker {
 }
 
 const torusScene = async () =>
-  sceneOf(await hatchedMesh(new TorusGeometry(0.7, 0.3, 24, 48), { material: { lineField: 'light' } }));
+  sceneOf(await hatchedMesh(new TorusGeometry(0.7, 0.3, 24, 48), { material: { direction: 'light' } }));
 
 describe('a worker draws', () => {
   test('the same bytes as the main thread, with progress from the reading of the scene to the end', async () => {

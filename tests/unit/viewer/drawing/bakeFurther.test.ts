@@ -41,7 +41,7 @@ describe('triangle adjacency', () => {
     const techniques = () => meshesOf(model.root).map(({ material }) => (material as HatchingMaterial).technique);
     const look = lookOf({ ...defaultSettings(), technique: 'adjacencyCrisp' });
     model.apply(look);
-    expect([model.lacksAdjacency, ...techniques()]).toEqual([true, 'anchored', 'anchored']);
+    expect([model.lacksAdjacency, ...techniques()]).toEqual([true, 'hatching', 'hatching']);
     await bakeFurther(model.root, { adjacency: true }, OPTIONS, () => {});
     model.apply(look);
     expect([model.lacksAdjacency, ...techniques()]).toEqual([false, 'adjacency', 'adjacency']);

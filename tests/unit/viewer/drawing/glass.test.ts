@@ -19,7 +19,7 @@ async function build(...files: Files): Promise<HatchedModel> {
     () => {},
   );
   const { model } = await buildModel(read, () => {}, new AbortController().signal);
-  model.apply(lookOf({ ...defaultSettings(), technique: 'engraved', colorHatching: 100, surfaceColors: 'paper' }));
+  model.apply(lookOf({ ...defaultSettings(), technique: 'engraving', colorHatching: 100, surfaceColors: 'paper' }));
   return model;
 }
 

@@ -11,7 +11,7 @@ import {
 } from '../../../../tools/modelFiles/modelWriters.js';
 import { threeMf, zip } from '../../../../tools/modelFiles/sceneWriters.js';
 
-const LINK = 'technique=engraved&ink=%237a2e1d&view=framed';
+const LINK = 'technique=engraving&ink=%237a2e1d&view=framed';
 const model = { 'model/box.obj': colouredBoxObj, 'model/box.mtl': colouredBoxMtl };
 const description = 'three-hatching.json';
 const bytesOf = async (blob: Blob): Promise<Uint8Array> => new Uint8Array(await blob.arrayBuffer());

@@ -5,7 +5,7 @@ import { plainValue } from '../../../../src/look/presetParameters.js';
 import { HATCHING_BACKGROUND_DEFAULTS } from '../../../../src/material/backgroundProperties.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { HATCHING_OUTLINE_DEFAULTS } from '../../../../src/material/outlines/outlineProperties.js';
-import { engravedHand, HAND_NUMBER_RANGES, type Hand } from '../../../../src/strokes/hand/Hand.js';
+import { HAND_NUMBER_RANGES, type Hand, handLines } from '../../../../src/strokes/hand/Hand.js';
 import { resolveMapDrawing } from '../../../../src/strokes/tamImages/hatchImageOptions.js';
 import { parameterSetter } from '../../../../src/viewer/drawing/materials.js';
 import { lookOf } from '../../../../src/viewer/settings/lookOf.js';
@@ -62,6 +62,6 @@ test('a hand is scaled to the distance and width that the library has by default
   const hand = { numbers } as unknown as Hand;
   const { lineSpacing } = HATCHING_DEFAULTS;
   const { outlineWidth } = HATCHING_OUTLINE_DEFAULTS;
-  expect(engravedHand(hand)).toEqual(engravedHand(hand, { lineSpacing, outlineWidth }));
-  expect(engravedHand(hand)).not.toEqual(engravedHand(hand, { lineSpacing: 2 * lineSpacing }));
+  expect(handLines(hand)).toEqual(handLines(hand, { lineSpacing, outlineWidth }));
+  expect(handLines(hand)).not.toEqual(handLines(hand, { lineSpacing: 2 * lineSpacing }));
 });

@@ -20,36 +20,36 @@ const used = (key: SettingKey, changes: Partial<Settings>): boolean =>
 
 describe('a setting has an effect', () => {
   test.each<[SettingKey, Partial<Settings>, boolean]>([
-    ['latticeSpacing', { technique: 'anchored' }, true],
+    ['latticeSpacing', { technique: 'hatching' }, true],
     ['latticeSpacing', { technique: 'adjacency' }, false],
-    ['latticeSpacing', { technique: 'adjacency', compare: 'anchored' }, true],
+    ['latticeSpacing', { technique: 'adjacency', compare: 'hatching' }, true],
     // Dots beside strokes of triangles: those have a map, and the dots still no anchors.
-    ['latticeSpacing', { technique: 'anchored', medium: 'stipple', compare: 'adjacency' }, false],
-    ['mapStyle', { technique: 'engraved' }, false],
-    ['mapSize', { technique: 'engraved' }, false],
-    ['mapStyle', { technique: 'engraved', compare: 'triangle' }, true],
-    ['strokeDirection', { technique: 'engraved' }, false],
-    ['strokeDirection', { technique: 'anchored', medium: 'stipple' }, false],
-    ['strokeDirection', { technique: 'triangle' }, true],
-    ['strokeDirection', { strokeField: 'form' }, false],
-    ['strokeDirection', { technique: 'triangle', strokeField: 'form' }, true],
-    ['strokeField', { technique: 'anchored' }, true],
-    ['strokeField', { technique: 'anchored', medium: 'stipple' }, false],
-    ['strokeField', { technique: 'adjacency' }, false],
-    ['strokeAngle', { strokeDirection: 'towards' }, false],
-    ['strokeAngle', { strokeDirection: 'angle' }, true],
-    ['crossFrom', { technique: 'engraved' }, true],
-    ['crossFrom', { technique: 'anchored', strokeLayers: 'lights' }, false],
-    ['crossFrom', { technique: 'anchored', strokeLayers: 'tone' }, true],
-    ['edge', { technique: 'anchored' }, true],
-    ['edge', { technique: 'anchored', medium: 'dry' }, false],
-    ['edge', { technique: 'adjacencyCrisp', medium: 'dry' }, true],
+    ['latticeSpacing', { technique: 'stipple', compare: 'adjacency' }, false],
+    ['mapStyle', { technique: 'engraving' }, false],
+    ['mapSize', { technique: 'engraving' }, false],
+    ['mapStyle', { technique: 'engraving', compare: 'triangle' }, true],
+    ['strokeTurn', { technique: 'engraving' }, false],
+    ['strokeTurn', { technique: 'stipple' }, false],
+    ['strokeTurn', { technique: 'triangle' }, true],
+    ['strokeTurn', { direction: 'form' }, false],
+    ['strokeTurn', { technique: 'triangle', direction: 'form' }, true],
+    ['direction', { technique: 'hatching' }, true],
+    ['direction', { technique: 'stipple' }, false],
+    ['direction', { technique: 'adjacency' }, false],
+    ['strokeAngle', { strokeTurn: 'towards' }, false],
+    ['strokeAngle', { strokeTurn: 'angle' }, true],
+    ['crossFrom', { technique: 'engraving' }, true],
+    ['crossFrom', { technique: 'hatching', strokeLayers: 'lights' }, false],
+    ['crossFrom', { technique: 'hatching', strokeLayers: 'tone' }, true],
+    ['edge', { technique: 'hatching' }, true],
+    ['edge', { technique: 'dryMedia' }, false],
+    ['edge', { technique: 'adjacencyCrisp', compare: 'dryMedia' }, true],
     ['strokeWidth', { technique: 'adjacency' }, false],
     ['strokeWidth', { technique: 'adjacency', levelRule: 'depth' }, true],
-    ['strokeWidth', { technique: 'engraved', levelRule: 'depth' }, false],
-    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 100 }, false],
-    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 99 }, true],
-    ['tilesPerObjectUnit', { technique: 'anchored', screenSpaceShare: 100, compare: 'triangle' }, true],
+    ['strokeWidth', { technique: 'engraving', levelRule: 'depth' }, false],
+    ['tilesPerObjectUnit', { technique: 'hatching', screenSpaceShare: 100 }, false],
+    ['tilesPerObjectUnit', { technique: 'hatching', screenSpaceShare: 99 }, true],
+    ['tilesPerObjectUnit', { technique: 'hatching', screenSpaceShare: 100, compare: 'triangle' }, true],
     ['shininess', { toneModel: 'phong' }, true],
     ['shininess', {}, false],
     ['outlineWidth', { outlines: 'off' }, false],
@@ -72,8 +72,8 @@ describe('a setting has an effect', () => {
     ['pictureMargin', { pictureSize: '2' }, false],
     ['pictureMargin', { pictureSize: 'a5' }, true],
     ['pictureMargin', { pictureSize: 'a5', pictureCrop: 'drawing' }, false],
-    ['depthStrength', { technique: 'engraved' }, false],
-    ['depthStrength', { technique: 'engraved', depth: 'on' }, true],
+    ['depthStrength', { technique: 'engraving' }, false],
+    ['depthStrength', { technique: 'engraving', depth: 'on' }, true],
     ['depth', { technique: 'triangle' }, false],
     ['model', {}, true],
   ])('%s with %j: %s', (key, changes, expected) => {
@@ -89,14 +89,13 @@ describe('a setting has an effect', () => {
         shadows: 'on',
         secondLight: 'free',
         lightKind: 'spot',
-        strokeDirection: 'angle',
+        strokeTurn: 'angle',
         pictureSize: 'own',
       },
-      { technique: 'anchored', medium: 'dry', toneModel: 'phong', pictureSize: 'a4' },
+      { technique: 'dryMedia', toneModel: 'phong', pictureSize: 'a4' },
       { pictureSize: 'inches' },
       {
-        technique: 'engraved',
-        medium: 'pen',
+        technique: 'pen',
         toneModel: 'toon',
         shadows: 'on',
         ground: 'shadow',
@@ -127,7 +126,7 @@ test.each([
   // A mean of the two has no name.
   [50, ''],
 ])('the distance between outlines, %d %% on the screen, has the unit %j', (screenSpaceShare, unit) => {
-  const settings: Settings = { ...defaultSettings(), technique: 'engraved', screenSpaceShare };
+  const settings: Settings = { ...defaultSettings(), technique: 'engraving', screenSpaceShare };
   expect(presentUnit('lineSpacing', looksOf(settings))).toBe(unit);
   expect(presentUnit('strokeWidth', looksOf(settings))).toBe('px');
   expect(presentUnit('irregularity', looksOf(settings))).toBe('%');
@@ -135,14 +134,14 @@ test.each([
 
 test('settings that determine the map, or whether there is one, choose it again', () => {
   expect(SETTING_KEYS.filter(choosesMap).sort()).toEqual(
-    ['technique', 'compare', 'medium', 'mapStyle', 'mapSize', 'mapTones', 'mapSeed'].sort(),
+    ['technique', 'compare', 'mapStyle', 'mapSize', 'mapTones', 'mapSeed'].sort(),
   );
 });
 
-test('a medium is offered to the techniques that know it', () => {
+test('a direction is offered to the techniques that know it', () => {
   const offered = (technique: string) =>
-    Object.keys(SETTINGS.medium.choices).filter((medium) => isChoiceKnown('medium', medium, [{ technique }]));
-  expect(offered('anchored')).toEqual(['ink', 'dry', 'stipple']);
-  expect(offered('engraved')).toEqual(['ink', 'pen', 'woodcut']);
-  expect(isChoiceKnown('toneModel', 'toon', [{ technique: 'engraved' }])).toBe(true);
+    Object.keys(SETTINGS.direction.choices).filter((value) => isChoiceKnown('direction', value, [{ technique }]));
+  expect(offered('hatching')).toEqual(['light', 'form', 'acrossForm', 'sheet']);
+  expect(offered('engraving')).toEqual(Object.keys(SETTINGS.direction.choices).filter((value) => value !== 'sheet'));
+  expect(isChoiceKnown('toneModel', 'toon', [{ technique: 'engraving' }])).toBe(true);
 });

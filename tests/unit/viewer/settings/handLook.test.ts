@@ -11,7 +11,7 @@ const hands = Object.values(exampleHabits).map((habits) => learnHand(drawSwatche
 
 test('a hand is drawn with a map, also where there were lines before; a technique with strokes stays', () => {
   const engraved = { ...firstView(), ...handLook(firstView(), hands[0]) };
-  expect([engraved.technique, engraved.mapStyle, drawsWithMap(engraved)]).toEqual(['anchored', 'ownHand', true]);
+  expect([engraved.technique, engraved.mapStyle, drawsWithMap(engraved)]).toEqual(['hatching', 'ownHand', true]);
   const settings = { ...defaultSettings(), technique: 'triangle' } as const;
   expect({ ...settings, ...handLook(settings, hands[0]) }.technique).toBe('triangle');
   expect({ ...engraved, ...lookWithoutHand(engraved) }.mapStyle).toBe('hatching');

@@ -17,7 +17,7 @@ test('materials of nodes draw every preset, with lamps, shadows that turn stroke
 });
 
 test.each<[Partial<Settings>, string]>([
-  [{ compare: 'engraved' }, 'a comparison'],
+  [{ compare: 'engraving' }, 'a comparison'],
   [{ technique: 'triangle' }, 'this technique'],
   [{ technique: 'adjacencyCrisp' }, 'this technique'],
   [{ debugView: 'tone' }, 'views for checking'],

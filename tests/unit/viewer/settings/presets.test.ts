@@ -97,11 +97,11 @@ describe('the presets of the page', () => {
   });
 
   test('engraving chooses the field of lines by the shape, and links that ask for it follow the light', () => {
-    expect(settingsOf('engraving').lineField).toBe('auto');
-    expect(readLink('preset=engraving').settings.lineField).toBe('auto');
-    expect(readLink('preset=engraving&lineField=light').settings.lineField).toBe('light');
+    expect(settingsOf('engraving').direction).toBe('auto');
+    expect(readLink('preset=engraving').settings.direction).toBe('auto');
+    expect(readLink('preset=engraving&direction=light').settings.direction).toBe('light');
     // Links of the page spell out what is not at its default, which was and is the light.
-    expect(readLink('technique=engraved&lineSpacing=4.5&irregularity=40').settings.lineField).toBe('light');
+    expect(readLink('technique=engraving&lineSpacing=4.5&irregularity=40').settings.direction).toBe('light');
   });
 
   test('reset the previous look, and keep the model, the position of the light and the camera', () => {

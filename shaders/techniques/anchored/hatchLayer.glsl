@@ -1,5 +1,0 @@
-#if MEDIUM == MEDIUM_STIPPLE
-  #include "technique/stipple"
-#else
-  #include "technique/strokes"
-#endif // MEDIUM

@@ -1,0 +1,19 @@
+import { toothConstantsChunk } from '../tam/patternSizes.js';
+import { toothMap } from '../tam/toothMap.js';
+import type { MaterialPart } from './MaterialPart.js';
+
+/** The technique `dryMedia`. */
+export const part: MaterialPart = {
+  files: {
+    ...import.meta.glob<string>('./chunks/{dryMedia,tooth}.glsl', {
+      base: '../../../shaders',
+      query: '?raw',
+      import: 'default',
+      eager: true,
+    }),
+    './chunks/toothConstants.glsl': toothConstantsChunk(),
+  },
+  writeUniforms(uniforms) {
+    uniforms.toothMap.value = toothMap();
+  },
+};

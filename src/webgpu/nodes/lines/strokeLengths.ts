@@ -1,0 +1,84 @@
+/** Spacing of lines in octaves, and the strokes that lines are drawn in. */
+import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../../look/constants/lineConstants.js';
+import { hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
+import { screenGradient } from '../chunks/screenGradient.js';
+import { vFieldNormal, vFieldPoint } from './fields.js';
+import type { Family, HatchingParameters } from './read.js';
+
+const { abs, ceil, clamp, cross, dot, float, floatBitsToInt, floor, int, intBitsToFloat, max, min, mix } = tsl;
+const { normalize, select, smoothstep, vec2, vec3 } = tsl;
+const { AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING, LENGTHS_FADE } = STROKE_LENGTH_CONSTANTS;
+
+export const screenSpaceShare: Value = /* @__PURE__ */ hatchingUniform('screenSpaceShare', 'float');
+
+/** Width over which the edge of a line fades, pixels. */
+export const FRINGE = 0.5;
+
+/** Counterpart of `octaves` and `powerOf2` in shaders/techniques/lines/ruledLines.glsl. */
+
+/** An approximate logarithm to base 2: exact at powers of two, linear between them. @param x above 0, a variable */
+export const octaves = (x: Value): Value =>
+  float(floatBitsToInt(x))
+    .mul(1 / 8388608)
+    .sub(127);
+
+/** The inverse of `octaves`. */
+export const powerOf2 = (octave: Value): Value => intBitsToFloat(int(octave.mul(8388608).add(1065353216)));
+
+/** Counterpart of shaders/techniques/lines/strokeLengths.glsl: the strokes that the lines of a family are drawn in. */
+
+const strokeLength = /* @__PURE__ */ hatchingUniform('strokeLength', 'float');
+
+/** The coordinates of a fragment along the lines of a family: on the two axes of the field along which the lines run most. */
+export interface Along {
+  places: Value;
+  /** Share of the first axis. */
+  share: Value;
+  /** Length of a stroke with its gap. */
+  period: Value;
+  /** Share of strokes twice as long. */
+  longer: Value;
+}
+
+const crossed = (a: Value, b: Value): Value => abs(a.x.mul(b.y).sub(a.y.mul(b.x)));
+
+export function alongLines(h: HatchingParameters, family: Family): Along {
+  const direction = cross(vFieldNormal, family.gradient).toVar();
+  const squares = direction.mul(direction).toVar();
+  squares.assign(squares.div(max(squares.x.add(squares.y).add(squares.z), 1e-20)));
+  // The axis along which the lines run least is left out.
+  const isLeastX = squares.x.lessThan(min(squares.y, squares.z)).toVar();
+  const isLeastY = squares.y.lessThan(squares.z);
+  const first = select(isLeastX, vec3(0, 0, 1), vec3(1, 0, 0)).toVar();
+  const second = select(isLeastX.not().and(isLeastY), vec3(0, 0, 1), vec3(0, 1, 0)).toVar();
+  const share = smoothstep(-AXES_FADE, AXES_FADE, dot(squares, first.sub(second))).toVar();
+  const value = normalize(screenGradient(family.gradient, h.onScreen)).toVar();
+  const acrossFirst = crossed(screenGradient(first, h.onScreen).toVar(), value);
+  const acrossSecond = crossed(screenGradient(second, h.onScreen).toVar(), value);
+  const perPixel = mix(acrossSecond, acrossFirst, share);
+  const onObject = octaves(strokeLength.div(LINE_CONSTANTS.PARTS_OF_TILE).toVar());
+  const onScreen = octaves(strokeLength.mul(max(perPixel, 1e-12)).toVar());
+  const octave = mix(onObject, onScreen, screenSpaceShare).toVar();
+  const whole = ceil(octave.sub(0.5)).toVar();
+  return {
+    places: vec2(dot(first, vFieldPoint), dot(second, vFieldPoint)).toVar(),
+    share,
+    period: powerOf2(whole).toVar(),
+    longer: smoothstep(1 - LENGTHS_FADE, 1, octave.sub(whole).add(0.5)).toVar(),
+  };
+}
+
+/**
+ * The amplitude of variation from line to line, as a share of the greatest: less if few lines lie between repeats of their numbers. @param
+ * octave of their spacing
+ */
+export const differing = ({ coarsest }: Family, octave: Value): Value =>
+  clamp(float(coarsest).sub(octave).div(DIFFERING_OCTAVES), LEAST_DIFFERING, 1).toVar();
+
+/** The number of a line: the same on both sides of a seam, except for its sign. */
+export function numberOf(line: Value, { isOfForm, coarsest }: Family): Value {
+  if (!isOfForm) return line;
+  const repeat = powerOf2(float(coarsest).toVar()).toVar();
+  return line.sub(repeat.mul(floor(line.div(repeat).add(0.5)))).toVar();
+}

@@ -1,3 +1,0 @@
-import { testGroup } from './besideGlsl.js';
-
-testGroup('engraved', ['several lights']);

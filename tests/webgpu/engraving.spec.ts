@@ -1,0 +1,3 @@
+import { testGroup } from './besideGlsl.js';
+
+testGroup('engraving', ['several lights']);
