@@ -127,7 +127,7 @@ export class HatchedScene {
    */
   update(task: HatchingTask = {}): Promise<this> {
     // What setPreset has begun is completed.
-    return this.change(() => this.wanted, task);
+    return this.change(this.wanted, task);
   }
 
   /**
@@ -147,9 +147,11 @@ export class HatchedScene {
     look: PresetName | HatchingPreset | ApplyHatchingOptions,
     options: ApplyHatchingOptions = {},
   ): Promise<this> {
-    const { signal, onProgress, ...chosen } = lookOptions(look, options);
+    const chosen = lookOptions(look, options);
     const { preset, material, outlines, tonalArtMap, ...others } = this.wanted ?? this.given;
-    return this.change(() => ({ ...others, ...chosen }), { signal, onProgress });
+    const { signal, onProgress, ...given } = { ...others, ...chosen };
+    // Anything else than an object is reported as wrong options.
+    return this.change(chosen ? given : chosen, { signal, onProgress });
   }
 
   /**
@@ -232,13 +234,12 @@ export class HatchedScene {
     return (paper as Color | string | number | undefined) ?? HATCHING_DEFAULTS.paper;
   }
 
-  /** @param restyleWith returns the options of another look; null keeps the present one */
-  private change(restyleWith: () => ApplyHatchingOptions | null, { signal, onProgress }: HatchingTask): Promise<this> {
+  /** @param restyle the options of another look; null keeps the present one */
+  private change(restyle: ApplyHatchingOptions | null, { signal, onProgress }: HatchingTask): Promise<this> {
     try {
       if (this.isDisposed) throw new Error('HatchedScene: it was disposed of. Call applyHatching again.');
-      const restyle = restyleWith();
-      const style = restyle ? styleOf(restyle) : this.style;
       const isNew = restyle !== null;
+      const style = isNew ? styleOf(restyle) : this.style;
       const holder: MeshHolder = {
         holds: (mesh) => this.holds(mesh),
         keeps: (mesh) => !isNew && isAsHatched(this.partOf(mesh)!),

@@ -3,7 +3,6 @@ import { mustBeAwaited } from '../material/diagnostics/warn.js';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { fetchPartsOf } from '../material/parts/parts.js';
 import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
-import { lookOptions } from './applyOptions.js';
 import type { HatchedScene } from './HatchedScene.js';
 import { hatchScene, type LookMakers } from './hatchScene.js';
 import type { PresetName } from './presets.js';
@@ -62,5 +61,5 @@ export function applyHatching(
   look: PresetName | HatchingPreset | ApplyHatchingOptions = {},
   options: ApplyHatchingOptions = {},
 ): Promise<HatchedScene> {
-  return mustBeAwaited(hatchScene(root, lookOptions(look, options), IN_GLSL), 'applyHatching()', FIRST_READ);
+  return mustBeAwaited(hatchScene(IN_GLSL, root, look, options), 'applyHatching()', FIRST_READ);
 }

@@ -1,6 +1,7 @@
 import type { Object3D } from 'three';
-import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
-import { resolveOptions } from './applyOptions.js';
+import type { PresetName } from '../look/presetMaterials.js';
+import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
+import { lookOptions, resolveOptions } from './applyOptions.js';
 import { beginCall, type CallUnderWay } from './beginCall.js';
 import type { HatchedScene } from './HatchedScene.js';
 import type { LookMakers } from './HatchingCall.js';
@@ -8,8 +9,14 @@ import type { LookMakers } from './HatchingCall.js';
 export type { LookMakers };
 
 /** The implementation of `applyHatching` for any renderer. The meshes are claimed before it returns. */
-export function hatchScene(root: Object3D, given: ApplyHatchingOptions, makers: LookMakers): Promise<HatchedScene> {
+export function hatchScene(
+  makers: LookMakers,
+  root: Object3D,
+  look: PresetName | HatchingPreset | ApplyHatchingOptions,
+  options: ApplyHatchingOptions,
+): Promise<HatchedScene> {
   try {
+    const given = lookOptions(look, options);
     const call = beginCall(root, resolveOptions(given));
     return call.promised(hatch(call, given, makers));
   } catch (error) {

@@ -3,7 +3,6 @@ import { mustBeAwaited } from '../material/diagnostics/warn.js';
 import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { ApplyHatchingOptions, HatchingPreset } from '../scene/ApplyHatchingOptions.js';
-import { lookOptions } from '../scene/applyOptions.js';
 import type { HatchedScene, HatchingTask } from '../scene/HatchedScene.js';
 import { hatchScene, type LookMakers } from '../scene/hatchScene.js';
 import type { PresetName } from '../scene/presets.js';
@@ -59,6 +58,6 @@ export function applyHatching(
 ): Promise<HatchedNodeScene> {
   // The shared code is typed by the classes of WebGLRenderer, and calls only these makers.
   const makers = OF_NODES as unknown as LookMakers;
-  const hatched = hatchScene(root, lookOptions(look, options), makers);
+  const hatched = hatchScene(makers, root, look, options);
   return mustBeAwaited(hatched as unknown as Promise<HatchedNodeScene>, 'applyHatching()', FIRST_READ);
 }

@@ -157,6 +157,7 @@ export const OFFERS = {
     'OutlineMaker.ts',
     'presets.ts',
     'scalePreset.ts',
+    'SkippedMesh.ts',
     'levelMaker.ts',
     'lighting/flatteringLight.ts',
   ],

@@ -20,7 +20,7 @@ export const mistakes: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/diagnostics/mistakes.test.ts',
-      title: 'a scene without a mesh is named, unless its caller follows it',
+      title: 'a scene without a mesh is named',
     },
   },
   {

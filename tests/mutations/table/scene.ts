@@ -71,8 +71,8 @@ export const scene: readonly Mutation[] = [
   {
     name: 'an update forgets the preset that is under way',
     file: 'src/scene/HatchedScene.ts',
-    find: 'return this.change(() => this.wanted, task);',
-    replace: 'return this.change(() => null, task);',
+    find: 'return this.change(this.wanted, task);',
+    replace: 'return this.change(null, task);',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/scene/HatchedScene.test.ts',

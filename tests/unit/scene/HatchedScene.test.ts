@@ -273,6 +273,7 @@ describe('setPreset', () => {
     stop.abort();
     await expect(aborted).rejects.toThrow('abort');
     await expect(hatched.setPreset({ creaseAngle: 90 })).rejects.toThrow('creaseAngle');
+    await expect(hatched.setPreset(undefined as never)).rejects.toThrow('the options are undefined. Pass an object');
     await expect(hatched.setPreset('crayon' as never)).rejects.toThrow('no preset "crayon"');
     expect(looksOf(root)).toEqual(shown);
     const added = crate();
