@@ -1,0 +1,37 @@
+import { BoxGeometry, Group, Mesh, MeshStandardMaterial } from 'three';
+import { expect, test } from 'vitest';
+import { presets } from '../../../src/index.js';
+import { applyHatching } from '../../../src/webgpu/applyHatching.js';
+import { HatchingNodeMaterial } from '../../../src/webgpu/HatchingNodeMaterial.js';
+
+test('a scene of nodes is updated, switched in place, released and followed as one of GLSL is', async () => {
+  const source = new MeshStandardMaterial();
+  const mesh = new Mesh(new BoxGeometry(), source);
+  const root = new Group().add(mesh);
+  const hatched = await applyHatching(root, 'technical');
+  const material = hatched.materialOf(mesh) as HatchingNodeMaterial;
+  const outlines = hatched.outlineOf(mesh)!;
+  expect(material).toBeInstanceOf(HatchingNodeMaterial);
+  const { version } = material;
+  material.ink.set('#123456');
+  source.color.set('red');
+  expect(await hatched.setPreset('engraving')).toBe(hatched);
+  expect(mesh.material).toBe(material as unknown);
+  expect(material.version, 'its nodes are built again').toBeGreaterThan(version);
+  expect(material.lineSpacing).toBe(presets.engraving.material.lineSpacing);
+  expect([material.ink.getHexString(), material.color.getHexString()]).toEqual(['123456', 'ff0000']);
+  expect(hatched.outlineOf(mesh)).toBe(outlines);
+  expect(outlines.material.outlineWidth).toBe(presets.engraving.outlines.outlineWidth);
+  source.visible = false;
+  expect(material.visible).toBe(false);
+  source.visible = true;
+  expect(material.visible).toBe(true);
+  const added = new Mesh(new BoxGeometry(), source);
+  root.add(added);
+  await hatched.update();
+  expect(added.material).toBe(material as unknown);
+  hatched.release(mesh);
+  expect([mesh.material, mesh.children]).toEqual([source, []]);
+  hatched.dispose();
+  expect(added.material).toBe(source);
+});
