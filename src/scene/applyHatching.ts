@@ -24,7 +24,11 @@ const IN_GLSL: LookMakers = {
  * Instances, groups, skins and morph targets keep working; lines, points and sprites are left alone. The scene does not change
  * before everything is ready, and not at all if that fails or is aborted. After an abort it can be hatched again at once.
  *
- *     await applyHatching(gltf.scene, 'pencil');
+ *     const hatched = await applyHatching(gltf.scene, 'pencil', { signal });
+ *
+ * The result is the handle of the scene: `update()` hatches what was added and releases what is gone, `setPreset()` gives it another
+ * look in place, `release()` gives a part back, `dispose()` all of it. Of two calls under way for one root the later wins: the earlier is
+ * rejected with an `AbortError`. Changes of the scene's own materials count in the next frame.
  *
  * With the options `renderer` and `camera` the promise also waits for the programs and the upload, so that the first frame is
  * drawn at once: add `root` and the lights to the scene before. Without them call `renderer.compileAsync(scene, camera)` afterwards.
@@ -35,9 +39,9 @@ const IN_GLSL: LookMakers = {
  * - `skipped` lists the meshes that were left alone, each with the reason: those whose material is a `ShaderMaterial`, has an
  * `onBeforeCompile` of its own or shows a render target, as helpers such as grids, mirrors, text and contact shadows do; those with
  * `userData.hatching` set to false, on the mesh or on the nearest ancestor that has the property (true hatches the mesh whatever its
- * material is); those that are hatched already, so that after meshes were added another call hatches them; and, with an `error`,
- * those whose geometry cannot be baked or whose geometry or material was replaced during the call. Meshes that are hatched without
- * the requested outlines are listed too.
+ * material is); those that another call has hatched; and, with an `error`, those whose geometry cannot be baked or whose geometry or
+ * material was replaced during the call. Meshes that are hatched without the requested outlines are listed too.
+ * - If there is no mesh to hatch, one warning says so, and the result is empty until `update()` finds something.
  * - Lines continue from mesh to mesh: `userData.hatchingField` of each mesh holds the coordinate frame that they
  * share, as it is at the time of the call. Clones keep it. Instances and batches have separate lines. Lines that follow the form
  * continue where the borders of meshes meet.
@@ -49,12 +53,15 @@ const IN_GLSL: LookMakers = {
  *
  * The promise is rejected
  *
- * - with an Error that lists the meshes, if every mesh is left alone on purpose, for instance because all are hatched already;
+ * - with an `AbortError` if another call for the same root begins;
  * - with an Error if an object is its own descendant;
  * - with a RangeError for an unknown preset or an option out of its range, and with a TypeError for an unknown option;
  * - with a TypeError that names the first meshes, if none of those that were to be hatched could be; its `cause` is the first error;
  * - with the error of the map or of a parameter;
  * - with the signal's reason when aborted.
+ *
+ * @param look a preset, by its name or as an object, or options
+ * @param options further options, which override those of `look`
  */
 export function applyHatching(
   root: Object3D,
