@@ -142,7 +142,8 @@ test('hot reload: an edited component is hatched anew, and the page and what it 
 test('the components alone: map, geometry, material and lines; removed props return to their defaults', {
   tag: '@all',
 }, async ({ page }) => {
-  await page.evaluate(() => window.page.show({ hatched: false, byHand: true, ink: '#aa0000', outlineWidth: 5 }));
+  const look = { ink: '#aa0000', outlineWidth: 5, weights: { creases: 0.9 } };
+  await page.evaluate((given) => window.page.show({ hatched: false, byHand: true, ...given }), look);
   await page.waitForFunction(() => window.page.meshes()['by hand']);
   const parts = () =>
     page.evaluate(() => {
@@ -156,11 +157,15 @@ test('the components alone: map, geometry, material and lines; removed props ret
         map: (material.tonalArtMap as import('three-hatching').TonalArtMap).size,
         outlineWidth: lines.material.outlineWidth,
         wobble: lines.material.wobble,
+        weights: [lines.material.weights.creases, lines.material.weights.shade],
       };
     });
-  expect(await parts()).toEqual({ ink: 'aa0000', offset: 0.5, map: 64, outlineWidth: 5, wobble: 1 });
-  await page.evaluate(() => window.page.show({ ink: undefined, outlineWidth: undefined }));
-  await expect.poll(parts).toEqual({ ink: '000000', offset: 0.5, map: 64, outlineWidth: 1.8, wobble: 1 });
+  const always = { offset: 0.5, map: 64, wobble: 1 };
+  expect(await parts()).toEqual({ ...always, ink: 'aa0000', outlineWidth: 5, weights: [0.9, 1.7] });
+  await page.evaluate(() => window.page.show({ weights: { shade: 3 } }));
+  await expect.poll(parts).toEqual({ ...always, ink: 'aa0000', outlineWidth: 5, weights: [0.35, 3] });
+  await page.evaluate(() => window.page.show({ ink: undefined, outlineWidth: undefined, weights: undefined }));
+  await expect.poll(parts).toEqual({ ...always, ink: '000000', outlineWidth: 1.8, weights: [0.35, 1.7] });
   await page.evaluate(() => window.page.show({ byHand: false }));
   await expect.poll(() => heldBy(page)).toMatchObject(NOTHING);
 });

@@ -26,6 +26,7 @@ interface Shown {
   byHand: boolean;
   ink: string | undefined;
   outlineWidth: number | undefined;
+  weights: { creases?: number; shade?: number } | undefined;
 }
 
 let shown: Shown = {
@@ -41,6 +42,7 @@ let shown: Shown = {
   byHand: false,
   ink: undefined,
   outlineWidth: undefined,
+  weights: undefined,
 };
 const listeners = new Set<() => void>();
 
@@ -135,7 +137,7 @@ function Late() {
   );
 }
 
-function ByHand({ ink, outlineWidth }: Pick<Shown, 'ink' | 'outlineWidth'>) {
+function ByHand({ ink, outlineWidth, weights }: Pick<Shown, 'ink' | 'outlineWidth' | 'weights'>) {
   const tonalArtMap = useTonalArtMap({ style: 'woodcut', size: 64, tones: 4 });
   const source = useMemo(() => new SphereGeometry(0.4, 16, 12), []);
   const geometry = useHatchingGeometry(source, { outlines: true });
@@ -143,7 +145,11 @@ function ByHand({ ink, outlineWidth }: Pick<Shown, 'ink' | 'outlineWidth'>) {
   return (
     <mesh name="by hand" geometry={geometry} position-y={-0.9}>
       <hatchingMaterial technique="hatching" tonalArtMap={tonalArtMap} strokeOffset={[0.5, 0]} {...(ink && { ink })} />
-      <HatchingOutlines wobble={1} {...(outlineWidth !== undefined && { outlineWidth })} />
+      <HatchingOutlines
+        wobble={1}
+        {...(outlineWidth !== undefined && { outlineWidth })}
+        {...(weights !== undefined && { weights })}
+      />
     </mesh>
   );
 }
@@ -197,7 +203,7 @@ function App() {
       <Watch key={String(now.hatched)} />
       {now.byHand && (
         <Suspense fallback={null}>
-          <ByHand ink={now.ink} outlineWidth={now.outlineWidth} />
+          <ByHand ink={now.ink} outlineWidth={now.outlineWidth} weights={now.weights} />
         </Suspense>
       )}
     </Canvas>

@@ -33,6 +33,9 @@ export function Drawing({ onHatched }: { onHatched: (hatched: HatchedScene) => v
           <hatchingMaterial technique="hatching" tonalArtMap={map} ink="#222" strokeOffset={[0.5, 0]} side={2} />
           {/* @ts-expect-error: an unknown technique is refused; the attributes are not `any`. */}
           <hatchingMaterial technique="scribble" />
+          <hatchingOutlineMaterial weights={{ creases: 0 }} weights-lit={1} />
+          {/* @ts-expect-error: an unknown weight is refused. */}
+          <HatchingOutlines weights={{ crease: 0 }} />
           <HatchingOutlines outlineWidth={2} weights={{ lit: 1, shade: 1 }} weights-creases={0.5} ink="navy" />
         </mesh>
       )}
