@@ -1,7 +1,7 @@
 import {
   Box3,
   type BufferGeometry,
-  type ColorRepresentation,
+  type Color,
   DirectionalLight,
   Group,
   type InstancedMesh,
@@ -45,7 +45,6 @@ export class Drawing {
 
   private constructor(
     private readonly model: Object3D,
-    private readonly preset: HatchingPreset,
     private readonly hatched: HatchedScene,
     private readonly ofFile: FileCamera | undefined,
   ) {
@@ -91,15 +90,20 @@ export class Drawing {
         object.castShadow = !material?.transmission && !(material?.transparent && material.opacity < 1);
       });
       const hatched = await applyHatching(model, { ...preset, signal, invalidate });
-      return new Drawing(model, preset, hatched, ofFile);
+      return new Drawing(model, hatched, ofFile);
     } catch (error) {
       disposeModel(model);
       throw error;
     }
   }
 
-  get paper(): ColorRepresentation {
-    return this.preset.material.paper ?? 'white';
+  get paper(): Color {
+    return this.hatched.background;
+  }
+
+  /** Draws with another preset, once everything for it is ready. @throws the signal's reason when aborted */
+  async setPreset(preset: HatchingPreset, signal: AbortSignal): Promise<void> {
+    await this.hatched.setPreset(preset, { signal });
   }
 
   /**

@@ -30,8 +30,9 @@ const ATTRIBUTES = [
   ...(['src', 'preset', 'color-fill', 'color-hatching', 'exposure', 'vignette', 'light', 'camera'] as const),
   ...(['variant', 'controls', 'alt', 'poster', 'draco-path', 'ktx2-path'] as const),
 ];
-/** The attributes whose change loads the model again. */
-const OF_MODEL: readonly string[] = ATTRIBUTES.filter((name) => !['light', 'controls', 'alt', 'poster'].includes(name));
+/** The attributes whose change loads the model again, and those whose change draws it with another look. */
+const OF_MODEL: readonly string[] = ['src', 'camera', 'variant', 'draco-path', 'ktx2-path'];
+const OF_LOOK: readonly string[] = ['preset', ...Object.keys(LOOK_NUMBERS)];
 /** The distance from the visible part of the page at which a model is loaded. */
 const LOAD_MARGIN = '300px';
 /** The greatest number of pixels per CSS pixel. More take longer and show little. */
@@ -72,7 +73,7 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  * | apart   | nothing: it is in no page         | waiting, when it is inserted |
  * | waiting | the former drawing, or the poster | loading, when it is near the visible part of the page |
  * | loading | the former drawing, or the poster | drawn, empty or failed |
- * | drawn   | the drawing                       | waiting, when an attribute of the model changes |
+ * | drawn   | the drawing                       | waiting, when an attribute of the model or its look changes |
  * | empty   | the poster: there is no `src`     | waiting, when an attribute of the model changes |
  * | failed  | a sentence, over the former drawing | waiting, when an attribute of the model or `light` changes |
  *
@@ -111,6 +112,8 @@ export class HatchedModelElement extends Base {
   private loading = new AbortController();
   private painter: SharedRenderer | undefined;
   private drawing: Drawing | undefined;
+  /** Whether the drawing is that of an earlier model. */
+  private isOutdated = false;
   private isNear = false;
   private hadSource = false;
   /** The frame that was requested, or 0. */
@@ -155,7 +158,9 @@ export class HatchedModelElement extends Base {
   attributeChangedCallback(name: (typeof ATTRIBUTES)[number]): void {
     // Attributes that are set before the element is connected are read when it is.
     if (this.state === 'apart') return;
-    if (OF_MODEL.includes(name)) this.requestModel();
+    const isOfModel = OF_MODEL.includes(name);
+    if (isOfModel) this.isOutdated = true;
+    if (isOfModel || OF_LOOK.includes(name)) this.requestDrawing();
     else if (name === 'light') this.showLight();
     else if (name === 'controls') this.showControls();
     else if (name === 'alt') this.showAlt();
@@ -168,7 +173,7 @@ export class HatchedModelElement extends Base {
     this.invalidate();
   };
 
-  private requestModel(): void {
+  private requestDrawing(): void {
     this.loading.abort();
     this.state = 'waiting';
     // Attributes that are set in the same task count as a single change.
@@ -187,7 +192,7 @@ export class HatchedModelElement extends Base {
       : { ...preset, material: { ...preset.material, ...Object.fromEntries(changes) } };
   }
 
-  /** Loads the model and hatches it, if it is waited for. The previous drawing stays until it is ready. */
+  /** Draws the model, if that is waited for. The previous drawing stays until it is ready. */
   private async load(): Promise<void> {
     if (this.state !== 'waiting' || !this.isNear) return;
     this.state = 'loading';
@@ -203,19 +208,10 @@ export class HatchedModelElement extends Base {
       this.hadSource = true;
       const preset = this.readLook();
       readLight(this.getAttribute('light'));
-      this.painter ??= SharedRenderer.acquire(this.onRestored);
-      const folders = { draco: folderOf(this.dracoPath), ktx2: folderOf(this.ktx2Path) };
-      const { renderer } = this.painter;
-      const source = { address: resolve(this.src), variant: this.variant.trim(), folders, renderer };
-      const drawing = await Drawing.load(source, preset, this.camera.trim(), signal, this.invalidate);
-      if (signal.aborted) {
-        drawing.dispose();
-        return;
-      }
+      if (this.drawing && !this.isOutdated) await this.drawing.setPreset(preset, signal);
+      else await this.loadModel(preset, signal);
+      if (signal.aborted) return;
       this.state = 'drawn';
-      this.drawing?.dispose();
-      this.drawing = drawing;
-      this.showFirst(drawing);
       this.say('');
       this.invalidate();
       this.dispatchEvent(new Event('load'));
@@ -224,6 +220,22 @@ export class HatchedModelElement extends Base {
       this.state = 'failed';
       this.fail(error as Error);
     }
+  }
+
+  private async loadModel(preset: HatchingPreset, signal: AbortSignal): Promise<void> {
+    this.painter ??= SharedRenderer.acquire(this.onRestored);
+    const folders = { draco: folderOf(this.dracoPath), ktx2: folderOf(this.ktx2Path) };
+    const { renderer } = this.painter;
+    const source = { address: resolve(this.src), variant: this.variant.trim(), folders, renderer };
+    const drawing = await Drawing.load(source, preset, this.camera.trim(), signal, this.invalidate);
+    if (signal.aborted) {
+      drawing.dispose();
+      return;
+    }
+    this.drawing?.dispose();
+    this.drawing = drawing;
+    this.isOutdated = false;
+    this.showFirst(drawing);
   }
 
   /** Shows the first view of a new model and lights it, unless an attribute or a visitor has set the view or the light. */
@@ -268,7 +280,7 @@ export class HatchedModelElement extends Base {
     this.say('');
     this.invalidate();
     // A wrong light may be the reason why loading failed.
-    if (this.state === 'failed') this.requestModel();
+    if (this.state === 'failed') this.requestDrawing();
   }
 
   private fail(error: Error): void {

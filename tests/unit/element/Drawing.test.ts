@@ -60,6 +60,18 @@ describe('a camera of the file', () => {
   });
 });
 
+test('another preset changes the look in place, and its paper', async () => {
+  const drawing = await load(() => {});
+  const meshes = () => drawing.scene.getObjectsByProperty('isMesh', true).map((mesh) => (mesh as Mesh).material);
+  const before = meshes();
+  expect(`#${drawing.paper.getHexString()}`).toBe(presets.pen.material.paper);
+  await drawing.setPreset(presets.technical, new AbortController().signal);
+  expect(meshes()[0]).toBe(before[0]);
+  expect((before[0] as unknown as HatchingMaterial).technique).toBe(presets.technical.material.technique);
+  expect(`#${drawing.paper.getHexString()}`).toBe(presets.technical.material.paper);
+  drawing.dispose();
+});
+
 test('the brightest light of the file is the only light of the drawing', async () => {
   const drawing = await load((json) => {
     json.extensions = { KHR_lights_punctual: { lights: [{ type: 'directional' }, { type: 'point', intensity: 0.1 }] } };
