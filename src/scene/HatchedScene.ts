@@ -91,7 +91,7 @@ export class HatchedScene {
     return this.hatchingMaterials;
   }
 
-  /** The outlines of all meshes, if requested; you may change their materials. */
+  /** The outlines of all meshes, if requested; you may change their materials. Those share one whose meshes do. */
   get outlines(): readonly HatchingOutlines[] {
     return this.ownOutlines;
   }
@@ -265,6 +265,7 @@ export class HatchedScene {
     this.released.clear();
     const { wanted } = this;
     const change = wanted ? new StyleChange(this.style, wanted) : null;
+    let goesOn = false;
     try {
       const prepared = await prepareLooks(call, this.makers, {
         style,
@@ -278,9 +279,11 @@ export class HatchedScene {
       call.end();
       if (wanted) this.given = wanted;
       this.show(call.choice, prepared, style, change);
+      goesOn = prepared?.made.forms != null;
       return this;
     } finally {
       call.end();
+      if (!goesOn) call.unlink();
       if (this.underWay === call) {
         this.underWay = null;
         this.wanted = null;
@@ -304,6 +307,8 @@ export class HatchedScene {
     for (const look of looks) look.material = replaced(look.material, inPlaceOf);
 
     const kept = new Set(choice.kept.map(identityOf));
+    // Occlusion of a mesh's own outlasts the change if the geometry does.
+    const occluded = new Map(looks.map(({ mesh }) => [mesh, mesh.geometry]));
     const outlined = new Map<object, HatchingOutlines>();
     for (const [key, part] of this.parts) {
       if (kept.has(key)) exchangeLook(part.before, part.after);
@@ -322,7 +327,11 @@ export class HatchedScene {
       hideDetail: made?.showDetail?.(),
     };
     this.batches.push(batch);
-    for (const after of looks) this.putOn(after, batch);
+    for (const after of looks) {
+      this.putOn(after, batch);
+      const geometry = occluded.get(after.mesh)!;
+      if (isOccluded(geometry, after.geometry)) after.mesh.geometry = geometry;
+    }
     for (const one of outlineMaker?.outlines ?? []) this.addOutlines(one, outlined, inPlaceOf);
     for (const one of outlineMaker?.without ?? []) {
       const part = this.partOf(one.mesh);
@@ -455,11 +464,16 @@ export class HatchedScene {
   /** Runs a function while the meshes have their former geometries and materials. */
   private suspended<Result>(work: () => Result): Result {
     const parts = [...this.parts.values()];
+    const drawn = parts.map(({ mesh: { geometry }, after }) =>
+      isOccluded(geometry, after.geometry) ? geometry : null,
+    );
     for (const { before, after } of parts) exchangeLook(after, before);
     try {
       return work();
     } finally {
-      for (const { before, after } of parts) exchangeLook(before, after);
+      for (const [i, { before, after }] of parts.entries()) {
+        exchangeLook(before, drawn[i] ? { ...after, geometry: drawn[i] } : after);
+      }
     }
   }
 }
@@ -480,7 +494,7 @@ const lookOf = (mesh: Mesh): MeshLook => ({
 /** Replaces the geometry and material of `from` by those of `to`. Others that were set in the meantime stay. */
 function exchangeLook(from: MeshLook, to: MeshLook): void {
   const { mesh } = from;
-  if (isSame(mesh.geometry, from.geometry)) mesh.geometry = to.geometry;
+  if (isSame(mesh.geometry, from.geometry) || isOccluded(mesh.geometry, from.geometry)) mesh.geometry = to.geometry;
   if (isSame(mesh.material, from.material)) mesh.material = to.material;
   if (to.fieldFrame === undefined) delete mesh.userData[FIELD_FRAME];
   else mesh.userData[FIELD_FRAME] = to.fieldFrame;
@@ -489,6 +503,12 @@ function exchangeLook(from: MeshLook, to: MeshLook): void {
 /** Whether two objects are the same, or proxies of the same object. */
 const isSame = (a: object | null, b: object | null): boolean =>
   a === b || (!!a && !!b && identityOf(a) === identityOf(b));
+
+/** Whether a geometry is a clone of a baked one, with occlusion of its own. */
+const isOccluded = (geometry: BufferGeometry | null, baked: BufferGeometry): boolean =>
+  hatchNormal.name in (geometry?.attributes ?? {}) &&
+  hatchNormal.name in baked.attributes &&
+  geometry!.attributes.position === baked.attributes.position;
 
 /** Whether a mesh still has its hatched look, or had its former one set back, or another one that is hatched, too. */
 function isAsHatched({ mesh, before, after }: Part): boolean {

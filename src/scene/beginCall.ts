@@ -16,6 +16,7 @@ export class CallUnderWay {
   private readonly stop = new AbortController();
   private readonly free: () => void;
   private promise: Promise<unknown> | undefined;
+  private readonly onAbort = (): void => this.stop.abort(this.options.signal?.reason);
 
   /** @param choice the meshes to hatch; those that `holder` has not claimed yet are claimed */
   constructor(
@@ -30,7 +31,7 @@ export class CallUnderWay {
     this.free = claimMeshes(choice.chosen.filter((mesh) => !holder?.holds(mesh)));
     // An abort frees the meshes at once: the caller may abort and apply again in the same tick, as React's StrictMode does.
     this.signal.addEventListener('abort', () => this.end());
-    options.signal?.addEventListener('abort', () => this.stop.abort(options.signal?.reason));
+    options.signal?.addEventListener('abort', this.onAbort);
   }
 
   /** Aborts what the call has started, when the caller aborts it, or when a later call for the root begins. */
@@ -43,6 +44,11 @@ export class CallUnderWay {
     this.free();
     const key = identityOf(this.root);
     if (underWay.get(key) === this) underWay.delete(key);
+  }
+
+  /** Forgets the caller's signal: nothing that the call has started goes on. */
+  unlink(): void {
+    this.options.signal?.removeEventListener('abort', this.onAbort);
   }
 
   /** Names the promise of the call, and returns it. */

@@ -13,7 +13,7 @@ import {
   Texture,
 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
-import { presets } from '../../../src/index.js';
+import { bakeOcclusion, presets } from '../../../src/index.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingOutlineMaterial } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
@@ -280,6 +280,25 @@ describe('setPreset', () => {
     root.add(added);
     await hatched.update();
     expect(materialOf(added).lineSpacing, 'the aborted look is forgotten').toBe(presets.engraving.material.lineSpacing);
+  });
+
+  test('keeps occlusion where it keeps the geometry, and restore() gives the former geometry back', async () => {
+    const [one, other] = [crate(), crate()];
+    other.position.y = 1.2;
+    const { geometry } = one;
+    other.geometry = geometry;
+    const root = new Group().add(one, other);
+    const hatched = await applyHatching(root, 'charcoal', { tonalArtMap: null });
+    const bake = await bakeOcclusion(root, { directions: 64 });
+    const own = [one.geometry, other.geometry];
+    expect(own[0] === own[1]).toBe(false);
+    await hatched.setPreset('chalk', { tonalArtMap: null });
+    expect(one.geometry === own[0] && other.geometry === own[1]).toBe(true);
+    await hatched.update();
+    expect(one.geometry === own[0]).toBe(true);
+    hatched.dispose();
+    expect(one.geometry === geometry && other.geometry === geometry).toBe(true);
+    bake.dispose();
   });
 
   test('bakes no geometry again that it can use, and frees what it replaces', async () => {
