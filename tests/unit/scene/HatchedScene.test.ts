@@ -218,10 +218,12 @@ describe('setPreset', () => {
     material.opacity = 0.5;
     outlineMaterial(mesh).outlineWidth = 9;
     source.color.set('red');
-    const ready = hatched.setPreset('engraving');
-    material.lineSpacing = 17;
-    source.side = 2;
-    await ready;
+    // The listener is called when the new materials are there already.
+    const onProgress = () => {
+      material.lineSpacing = 17;
+      source.side = 2;
+    };
+    await hatched.setPreset('engraving', { onProgress });
     expect(material).toMatchObject({ opacity: 0.5, lineSpacing: 17, visible: true, side: 2 });
     expect([hex(material.ink), hex(material.color)]).toEqual(['123456', 'ff0000']);
     expect(outlineMaterial(mesh).outlineWidth).toBe(9);
