@@ -11,7 +11,7 @@ import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js'
 import type { MeshOutlines } from '../material/outlines/MeshOutlines.js';
 import { HATCHING_OUTLINE_DEFAULTS } from '../material/outlines/outlineProperties.js';
 import { isCutOut } from '../material/outlines/surfaceRules.js';
-import { GivenValues } from './GivenValues.js';
+import { GivenValues, namesIn } from './GivenValues.js';
 import type { MeshLook } from './geometryPlans.js';
 import type { SkippedMesh } from './SkippedMesh.js';
 import { isBatched, isHatching, materialsOf } from './surfaceMeshes.js';
@@ -60,7 +60,7 @@ export interface OutlineLook<Look extends Material> {
 }
 
 /** The properties of outline materials that a user may change. */
-const EDITABLE = [...Object.keys(HATCHING_OUTLINE_DEFAULTS), 'opacity', 'visible', 'fog', 'blending', 'toneMapped'];
+const EDITABLE = [...namesIn(HATCHING_OUTLINE_DEFAULTS), ...['opacity', 'visible', 'fog', 'blending', 'toneMapped']];
 
 /**
  * Makes the outlines of a scene. Outlines share a material where their surfaces do, so that what is set on all materials of a part

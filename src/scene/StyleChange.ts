@@ -1,13 +1,16 @@
 import type { Material } from 'three';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
+import { namesIn } from './GivenValues.js';
 import type { SceneStyle } from './HatchingCall.js';
 import type { OutlineMaker } from './OutlineMaker.js';
 import type { Replacement } from './Replacement.js';
 
 /** The names of the parameters that were passed beside a preset: they count more than what was edited before. */
 const passedNames = ({ preset }: ApplyHatchingOptions, parameters: unknown): string[] =>
-  preset !== undefined && typeof parameters === 'object' && parameters !== null ? Object.keys(parameters) : [];
+  preset !== undefined && typeof parameters === 'object' && parameters !== null
+    ? [...Object.keys(parameters), ...namesIn(parameters)]
+    : [];
 
 /** The former material in place of a new one, or the same. */
 export type InPlaceOf = ReadonlyMap<Material, Material>;

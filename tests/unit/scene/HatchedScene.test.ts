@@ -16,6 +16,7 @@ import { afterEach, describe, expect, test, vi } from 'vitest';
 import { bakeOcclusion, presets } from '../../../src/index.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import type { HatchingOutlineMaterial } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
+import { HATCHING_OUTLINE_DEFAULTS } from '../../../src/material/outlines/outlineProperties.js';
 import { applyHatching } from '../../../src/scene/applyHatching.js';
 import { reactive } from '../material/geometry/reactive.js';
 import { disposals, looksOf, hatched as materialOf } from './hatchedScenes.js';
@@ -217,6 +218,7 @@ describe('setPreset', () => {
     material.ink.set('#123456');
     material.opacity = 0.5;
     outlineMaterial(mesh).outlineWidth = 9;
+    outlineMaterial(mesh).weights.borders = 0.1;
     source.color.set('red');
     // The listener is called when the new materials are there already.
     const onProgress = () => {
@@ -226,7 +228,12 @@ describe('setPreset', () => {
     await hatched.setPreset('engraving', { onProgress });
     expect(material).toMatchObject({ opacity: 0.5, lineSpacing: 17, visible: true, side: 2 });
     expect([hex(material.ink), hex(material.color)]).toEqual(['123456', 'ff0000']);
-    expect(outlineMaterial(mesh).outlineWidth).toBe(9);
+    const { weights, outlineWidth } = outlineMaterial(mesh);
+    expect(outlineWidth).toBe(9);
+    expect({ ...weights }, 'weights are kept one by one').toEqual({
+      ...HATCHING_OUTLINE_DEFAULTS.weights,
+      borders: 0.1,
+    });
     expect(material.crossFrom, 'the rest is that of the preset').toBe(presets.engraving.material.crossFrom);
     source.color.set('lime');
     expect(material.visible && hex(material.color), 'it is still followed').toBe('00ff00');
@@ -234,6 +241,10 @@ describe('setPreset', () => {
     expect(material).toMatchObject({ opacity: 0.5, lineSpacing: 17 });
     await hatched.setPreset({ preset: 'pen', material: { ink: '#654321' } });
     expect(hex(material.ink), 'what is passed counts more').toBe('654321');
+    await hatched.setPreset('pen', { outlines: { weights: { lit: 1 } } });
+    expect(outlineMaterial(mesh).weights).toMatchObject({ borders: 0.1, lit: 1 });
+    await hatched.setPreset({ preset: 'pen', outlines: { weights: { borders: 2 } } });
+    expect(outlineMaterial(mesh).weights.borders).toBe(2);
   });
 
   test('reaches parts that are detached at the time, with their changes', async () => {
