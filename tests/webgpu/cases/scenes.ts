@@ -33,7 +33,7 @@ function still(): { stage: Stage; root: Group } {
 
 async function hatched(
   { either }: Kit,
-  options: Omit<ApplyNodeHatchingOptions, 'replaces'> | PresetName,
+  options: ApplyNodeHatchingOptions | PresetName,
   shadows = false,
 ): Promise<Stage> {
   const { stage, root } = still();
@@ -77,6 +77,25 @@ export const cases: readonly SceneCase[] = [
     async show(kit) {
       const stage = await hatched(kit, { material: { ...LINES, occlusion: 0.9, hollowStrength: 0.8 } });
       await bakeOcclusion(stage.scene);
+      return stage;
+    },
+  },
+  {
+    name: 'a scene whose look was changed in place after a part was added and a source painted',
+    async show({ either }) {
+      const { stage, root } = still();
+      const [painted, hidden] = root.children as Mesh<TorusKnotGeometry, MeshStandardMaterial>[];
+      const sources = [painted.material, hidden.material];
+      const handle: { setPreset(look: ApplyNodeHatchingOptions): Promise<unknown> } = await either(
+        () => applyHatching(root, 'technical'),
+        () => applyToNodes(root, 'technical'),
+      );
+      const added = new Mesh(new SphereGeometry(0.25, 30, 20), new MeshStandardMaterial({ color: 0x88aa44 }));
+      root.add(added);
+      added.position.set(0.1, 0.7, 0);
+      await handle.setPreset({ material: { ...LINES, colorFill: 1 }, outlines: true });
+      sources[0].color.set(0xaa2255);
+      sources[1].visible = false;
       return stage;
     },
   },
