@@ -276,6 +276,7 @@ export class HatchedScene {
         takeEdits: (added) => change?.takeEdits(added),
         asBefore: (work) => this.suspended(work),
       });
+      call.signal.throwIfAborted();
       call.end();
       if (wanted) this.given = wanted;
       this.show(call.choice, prepared, style, change);

@@ -162,6 +162,14 @@ describe('update', () => {
     expect(materialOf(added)).toBe(hatched.materialOf(added));
   });
 
+  test('ends with dispose(), even if there is nothing to hatch', async () => {
+    const hatched = await applyHatching(crate(), 'technical');
+    const ready = hatched.update();
+    hatched.dispose();
+    await expect(ready).rejects.toMatchObject({ name: 'AbortError' });
+    expect(hatched.materials).toEqual([]);
+  });
+
   test('reports its progress', async () => {
     const root = new Group().add(crate());
     const hatched = await applyHatching(root, 'technical');
