@@ -20,7 +20,7 @@ const inRoot = (path: string) => fileURLToPath(new URL(path, import.meta.url));
  * cannot reload a page under test.
  */
 export default defineConfig(
-  ({ mode }): UserConfig => ({
+  ({ mode, command }): UserConfig => ({
     // Relative, so that the built playground can lie in any folder of any host.
     base: './',
     plugins: [
@@ -39,7 +39,11 @@ export default defineConfig(
     ],
     resolve: {
       // Named in both cases: left alone, the names would be resolved by the paths in tsconfig.json, to the source again.
-      alias: mode === 'use-build' ? libraryEntries('./dist/', 'js') : libraryEntries('./src/', 'ts'),
+      alias: libraryEntries(
+        mode === 'use-build' ? './dist/' : './src/',
+        mode === 'use-build' ? 'js' : 'ts',
+        command === 'serve' ? 'development' : 'index',
+      ),
     },
     assetsInclude: ['**/*.ply.gz'],
     worker: { format: 'es', plugins: () => [noticeCheck()] },

@@ -20,7 +20,7 @@ const alone = files.filter(
 /** Tests that need no browser: pure code, and the double-precision reference. */
 export default defineConfig({
   plugins: [formSources, occlusionAhead],
-  resolve: { alias: libraryEntries('./src/', 'ts') },
+  resolve: { alias: libraryEntries('./src/', 'ts', 'development') },
   test: {
     environment: 'node',
     // Property tests and whole map generations on a busy machine; what must be fast is shown by counting steps.
@@ -34,7 +34,16 @@ export default defineConfig({
     maxWorkers: 2,
     projects: [
       // These files share a process, which loads once what they import.
-      { extends: true, test: { name: 'together', include: files, exclude: alone, isolate: false } },
+      {
+        extends: true,
+        test: {
+          name: 'together',
+          include: files,
+          exclude: alone,
+          isolate: false,
+          setupFiles: 'tests/unit/loadParts.ts',
+        },
+      },
       { extends: true, test: { name: 'alone', include: alone, sequence: { groupOrder: 1 } } },
     ],
   },

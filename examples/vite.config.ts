@@ -14,7 +14,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   plugins: [shortShaders, bundledWorker(() => [noticeCheck()]), noticeFile, noticeCheck()],
-  resolve: { alias: libraryEntries('./src/', 'ts') },
+  resolve: { alias: libraryEntries('./src/', 'ts', 'index') },
   worker: { format: 'es', plugins: () => [noticeCheck()] },
   build: {
     outDir: '../dist-examples',

@@ -24,6 +24,7 @@ import type { HatchingMaterialParameters } from './checkValues.js';
 import { checkChoice, checkValues, warnOfUnused } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/canDeform.js';
 import { silence } from './diagnostics/warn.js';
+import { isFitted, writeFit } from './exposure/ToneFit.js';
 import { FrameStamp } from './FrameStamp.js';
 import { takesWeight, writeFading, writeImportance } from './fading/fading.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
@@ -41,13 +42,13 @@ import {
 } from './hatchingUniforms.js';
 import { fittingMap, mapIsReady, sharedMap } from './mapInUse.js';
 import { PropertyFields } from './PropertyFields.js';
-import { ExposureInUse, fetchParts, fetchPartsOf, PartInUse } from './parts/parts.js';
+import { fetchParts, fetchPartsOf, PartInUse } from './parts/parts.js';
 import { drawnPart, writePartUniforms } from './pictureOffset.js';
 import { type ProgramFacts, programDefines, programSwitches, writeDefines } from './programDefines.js';
 import { withVectors } from './propertyValues.js';
-import { hatchingShaders, plainShaders, type Shaders } from './shaders/hatchingShaders.js';
+import type { Shaders } from './shaders/hatchingShaders.js';
+import { plainShaders } from './shaders/plainShaders.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
-import { bindEnvironment, blurredEnvironment, environmentAround } from './three/environments.js';
 import { defineRigid, keepHooks, RendererKind } from './three/hooks.js';
 import { MeshUniforms } from './three/MeshUniforms.js';
 
@@ -86,7 +87,6 @@ export class HatchingMaterial extends PropertyFields {
   private shaders: Shaders | undefined;
   /** The part that the technique of the shaders in use needs. */
   private readonly inUse = new PartInUse(() => this.writeProgram());
-  private readonly exposed = new ExposureInUse();
   /** The facts, beside the properties, that decide the program. */
   private readonly met: ProgramFacts = { hasEnvironment: false, vertexLayout: 'corner', hasForm: true };
   /** The frame that the uniforms were last written for, and the part of the render target, in pixels, that it is drawn to. */
@@ -201,8 +201,8 @@ export class HatchingMaterial extends PropertyFields {
   }
 
   /**
-   * Resolves when the material's map and code have loaded. The code of the technique `hatching` is always loaded; that of others
-   * is fetched when a material first uses it, and until then the surface is plain paper or looks as before. For pages that render
+   * Resolves when the material's map and code have loaded. The code of a technique is fetched when a material first uses it, and until
+   * then the surface is plain paper or looks as before. For pages that render
    * on demand: `material.ready.then(render)`. Rejects if the map cannot be drawn or the code cannot be fetched; reading the property
    * again tries again.
    */
@@ -242,11 +242,12 @@ export class HatchingMaterial extends PropertyFields {
   override onBeforeCompile(shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer): void {
     this.rendererKind.state = 'webgl';
     defineRigid(shader);
-    if (!this.shaders) return;
+    const { part } = this.inUse;
+    if (!part) return;
     for (const mesh of this.announced.splice(0)) {
-      this.inUse.part?.compile?.(renderer, mesh);
-      const environment = environmentAround(mesh);
-      if (environment) blurredEnvironment(renderer, environment);
+      part.compile?.(renderer, mesh);
+      const environment = part.surface.environmentAround(mesh);
+      if (environment) part.surface.blurredEnvironment(renderer, environment);
     }
   }
 
@@ -272,9 +273,10 @@ export class HatchingMaterial extends PropertyFields {
       if (this.drawnSwitches !== switches) this.needsUpdate = true;
       this.drawnSwitches = switches;
       this.writeUniforms(renderer, camera);
-      this.exposed.write(this, renderer, scene, camera, this.uniforms);
       writePartUniforms(camera, drawn, this.uniforms);
-      this.use('hasEnvironment', bindEnvironment(renderer, scene, camera, this.uniforms));
+      const surface = this.inUse.part?.surface;
+      if (surface && isFitted(this)) writeFit(surface.sceneExposure(renderer, scene, camera), this, this.uniforms);
+      if (surface) this.use('hasEnvironment', surface.bindEnvironment(renderer, scene, camera, this.uniforms));
     }
     if (writeImportance(object, this.takesWeight, this.uniforms)) this.ofMesh.want(renderer);
     if (this.followsForm) this.use('hasForm', isFormed(geometry));
@@ -378,14 +380,15 @@ export class HatchingMaterial extends PropertyFields {
   /** Updates the shaders and the defines after choices were set. Choices that are set together are applied at once. */
   private writeProgram(): void {
     if (this.isSettingValues) return;
-    if (this.announced.some(environmentAround)) this.met.hasEnvironment = true;
-    this.exposed.fetch(this);
-    if (!this.inUse.take(this)) {
+    const part = this.inUse.take(this);
+    if (!part) {
       // Until the code has loaded, the surface looks as it did before, or like plain paper.
       if (!this.shaders) Object.assign(this, plainShaders(), { drawsWithMap: needsMap(this) });
       return;
     }
-    const shaders = hatchingShaders(this.technique, this.inUse.part?.files);
+    const { surface, files } = part;
+    if (this.announced.some(surface.environmentAround)) this.met.hasEnvironment = true;
+    const shaders = surface.hatchingShaders(this.technique, files);
     let hasChanged = this.shaders !== shaders;
     if (hasChanged) {
       this.shaders = shaders;

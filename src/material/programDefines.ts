@@ -6,7 +6,7 @@ import { drawnValue, needsAdjacency } from '../look/queries.js';
 import { VERTEX_LAYOUTS, type VertexLayout } from './deformation/canDeform.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
-import { CHANNEL_VARYINGS, channelDefine, TONE_CURVES } from './shaders/shaderConventions.js';
+import { CHANNEL_VARYINGS, channelDefine, TONE_CURVES } from './shaders/defineNames.js';
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 

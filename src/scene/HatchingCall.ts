@@ -19,6 +19,8 @@ import type { SkippedMesh } from './SkippedMesh.js';
 export interface LookMakers<Made extends HatchingMaterial = HatchingMaterial> {
   /** Makes a material with default values. */
   material(): Made;
+  /** Fetches the code that materials and outlines with these options need, before there are any. */
+  fetchAhead(options: ApplyHatchingOptions): Promise<unknown>;
   /** Fetches the code that a material needs, if it is loaded separately. */
   fetchPartsOf(material: Made): Promise<void>;
   /** Makes outlines. @throws RangeError or TypeError for a wrong parameter */

@@ -1,4 +1,6 @@
 import type { Object3D } from 'three';
+import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
+import { spelledOut } from '../look/presetParameters.js';
 import { mustBeAwaited } from '../material/diagnostics/warn.js';
 import { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { fetchPartsOf } from '../material/parts/parts.js';
@@ -10,11 +12,18 @@ import type { PresetName } from './presets.js';
 /** Properties of the result that users read first. */
 const FIRST_READ = ['materials', 'outlines', 'skipped', 'update', 'setPreset', 'restore', 'dispose'] as const;
 
+const fetchOutlines = () => import('./outlinesInGlsl.js');
+
 const IN_GLSL: LookMakers = {
   material: () => new HatchingMaterial(),
+  fetchAhead: async ({ material, outlines }) =>
+    Promise.all([
+      outlines && fetchOutlines(),
+      typeof material !== 'function' && fetchPartsOf({ ...HATCHING_DEFAULTS, ...spelledOut(material ?? {}) }),
+    ]),
   fetchPartsOf,
   async outlineMaker(parameters) {
-    return (await import('./outlinesInGlsl.js')).outlinesInGlsl(parameters);
+    return (await fetchOutlines()).outlinesInGlsl(parameters);
   },
 };
 

@@ -13,7 +13,7 @@ import type { SkippedMesh } from './SkippedMesh.js';
 import { isBatched } from './surfaceMeshes.js';
 import { worldMatrices, worldScale } from './worldMatrices.js';
 
-/** Applies the new looks to meshes after the bake. This module is fetched while geometries are baked. */
+/** Applies the new looks to meshes after the bake. */
 
 /** What was planned and made for a call. */
 interface Made {

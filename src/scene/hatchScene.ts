@@ -17,7 +17,10 @@ export function hatchScene(
 ): Promise<HatchedScene> {
   try {
     const given = lookOptions(look, options);
-    const call = beginCall(root, resolveOptions(given));
+    const resolved = resolveOptions(given);
+    const call = beginCall(root, resolved);
+    // What the meshes are going to need is fetched beside the code that hatches them. Failures are left to who needs it.
+    if (call.choice.chosen.length > 0) makers.fetchAhead(resolved).catch(() => {});
     return call.promised(hatch(call, given, makers));
   } catch (error) {
     return Promise.reject(error);

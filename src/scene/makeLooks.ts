@@ -1,4 +1,4 @@
-/** The code that makes materials, geometries and maps. It is fetched when a scene is hatched; pages need nothing of it before. */
+/** All that hatches a scene. It is fetched when a scene is hatched; pages need nothing of it before. */
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute, Material, Texture } from 'three';
 import { needsMap } from '../look/queries.js';
 import { isFormExpected } from '../material/geometry/formGeometry.js';
@@ -13,7 +13,8 @@ import { failure } from './chooseMeshes.js';
 import { dressLooks } from './dressLooks.js';
 import { type GeometryPlan, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import type { BakedGeometry, HatchingCall, MadeLooks, OldLooks } from './HatchingCall.js';
-import type { LaterForms } from './LaterForms.js';
+import { formGroups } from './jointForms.js';
+import { crossingMaterials, LaterForms } from './LaterForms.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import { makeMaps } from './makeMaps.js';
 import type { SkippedMesh } from './SkippedMesh.js';
@@ -148,8 +149,7 @@ function bakesToKeep(
 }
 
 /**
- * Makes the materials of meshes, and plans their bakes, in groups if lines follow the form. Without such lines the code that bakes
- * fields later is not loaded.
+ * Makes the materials of meshes, and plans their bakes, in groups if lines follow the form.
  */
 async function planLooks(
   call: HatchingCall,
@@ -166,10 +166,6 @@ async function planLooks(
   call.takeEdits(replacer.added);
   const plans = geometryPlans(planned, options);
   if ([...plans.values()].every(({ form }) => !form)) return { replacer, planned, plans, forms: null };
-  const [{ crossingMaterials, LaterForms }, { formGroups }] = await Promise.all([
-    import('./LaterForms.js'),
-    import('./jointForms.js'),
-  ]);
   const groups = await runSliced(formGroups(planned, plans), { signal });
   for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
   const crossing = crossingMaterials(planned, options);

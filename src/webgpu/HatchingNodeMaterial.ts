@@ -47,7 +47,7 @@ import { writeFieldFrame } from '../material/parts/fieldFrame.js';
 import { writePartUniforms } from '../material/pictureOffset.js';
 import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { type HatchingMap, withVectors } from '../material/propertyValues.js';
-import { TONE_CURVES } from '../material/shaders/shaderConventions.js';
+import { TONE_CURVES } from '../material/shaders/defineNames.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import { maxTextureSize, warnOnce } from './deviceLimits.js';
 import { dotLayerOf, exposureReady, patternReady, writeExposure, writePattern } from './fetchedCode.js';

@@ -37,11 +37,15 @@ export type ApplyNodeHatchingOptions = Omit<ApplyHatchingOptions, 'renderer' | '
 /** Properties of the result that users read first. */
 const FIRST_READ = ['materials', 'outlines', 'skipped', 'update', 'setPreset', 'restore', 'dispose'] as const;
 
+const fetchOutlines = () => import('./outlines/outlinesOfNodes.js');
+
 const OF_NODES = {
   material: () => new HatchingNodeMaterial(),
+  // The nodes of a material are loaded with the material.
+  fetchAhead: async ({ outlines }: ApplyHatchingOptions) => outlines && fetchOutlines(),
   fetchPartsOf: (material: HatchingNodeMaterial) => material.ready,
   outlineMaker: async (parameters: OutlineOptions & HatchingOutlineParameters) =>
-    (await import('./outlines/outlinesOfNodes.js')).outlinesOfNodes(parameters),
+    (await fetchOutlines()).outlinesOfNodes(parameters),
 };
 
 /**

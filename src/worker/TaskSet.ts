@@ -30,8 +30,8 @@ export interface TaskSet<All extends Tasks> {
   fetchTasks(): Promise<All>;
   /** The buffers that are transferred with a request, so that the sender loses them. */
   requestBuffers: { [Name in keyof All]: (request: RequestOf<All, Name>) => ArrayBuffer[] };
-  /** Loads the function that creates the inlined worker. */
-  fetchWorker(): Promise<() => Worker>;
+  /** Loads the function that creates the inlined worker for a task. */
+  fetchWorker(task: NameIn<All>): Promise<() => Worker>;
 }
 
 /** The buffers of all typed arrays in plain data, each once. A message with the data can transfer them. */

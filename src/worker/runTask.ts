@@ -1,10 +1,11 @@
 import type { SurfaceRequest } from '../mesh/bake/bakeSurface.js';
 import type { VertexWords } from '../mesh/bake/vertexWords.js';
+import { fetchWorker } from './fetchWorker.js';
 import type { MakeAgain } from './TaskClient.js';
 import type { TaskOptions } from './TaskOptions.js';
 import { buffersIn, type NameIn, type RequestOf, type ResultOf, type TaskSet, type Tasks } from './TaskSet.js';
 import type { BakingTasks } from './tasks.js';
-import type { CreateWorker, PoolsOf, WorkerPool } from './WorkerPool.js';
+import { type CreateWorker, disposedError, type PoolsOf, poolIn, type WorkerPool } from './WorkerPool.js';
 
 /** A request that is made again has new copies of the mesh and its attributes, and the same of all else. */
 const ofMesh = ({ mesh, attributes }: SurfaceRequest & { attributes?: VertexWords[] }): ArrayBuffer[] =>
@@ -29,7 +30,7 @@ const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
 export const bakingTasks: TaskSet<BakingTasks> = {
   fetchTasks: async () => (await import('./tasks.js')).tasks,
   requestBuffers,
-  fetchWorker: async () => (await import('./inlineWorker.js')).createInlineWorker,
+  fetchWorker,
 };
 
 const createNoWorker: CreateWorker = () => null;
@@ -61,29 +62,30 @@ export async function runTaskOf<All extends Tasks, Name extends NameIn<All>>(
   options: TaskOptions = {},
   makeAgain?: MakeAgain<RequestOf<All, Name>>,
 ): Promise<ResultOf<All, Name>> {
-  return (await poolFor(set, options)).run(name, request, options, makeAgain);
+  return (await poolFor(set, name, options)).run(name, request, options, makeAgain);
 }
 
-/** Starts a worker ahead of tasks, so that they need not wait for it. Its errors are left to the first of these tasks. */
+/** Starts a worker ahead of bakes, so that they need not wait for it. Its errors are left to the first of them. */
 export async function startWorker(options: TaskOptions): Promise<void> {
   try {
-    (await poolFor(bakingTasks, options)).start();
+    (await poolFor(bakingTasks, 'bakeIndexed', options)).start();
   } catch {}
 }
 
-async function poolFor<All extends Tasks>(set: TaskSet<All>, options: TaskOptions): Promise<WorkerPool<All>> {
+async function poolFor<All extends Tasks>(
+  set: TaskSet<All>,
+  task: NameIn<All>,
+  options: TaskOptions,
+): Promise<WorkerPool<All>> {
   const disposalsBefore = disposals;
-  // The pool and the worker are loaded with the first task.
-  const [{ disposedError, poolIn }, createWorker] = await Promise.all([
-    import('./WorkerPool.js'),
-    options.createWorker ?? fetchInlineWorker(set),
-  ]);
+  // The worker is loaded with the first task.
+  const createWorker = await (options.createWorker ?? fetchInlineWorker(set, task));
   if (disposals !== disposalsBefore) throw disposedError();
   return poolIn(poolsOf, set, createWorker);
 }
 
-async function fetchInlineWorker<All extends Tasks>(set: TaskSet<All>): Promise<CreateWorker> {
-  return typeof Worker === 'undefined' ? createNoWorker : set.fetchWorker();
+async function fetchInlineWorker<All extends Tasks>(set: TaskSet<All>, task: NameIn<All>): Promise<CreateWorker> {
+  return typeof Worker === 'undefined' ? createNoWorker : set.fetchWorker(task);
 }
 
 /**

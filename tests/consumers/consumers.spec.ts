@@ -47,6 +47,7 @@ const LIKE = 0.9;
 /** Entry files for pages, bundlers and Node. */
 const ENTRIES = [
   'index.js',
+  'development.js',
   'facts.js',
   'hands.js',
   'svg.js',

@@ -6,11 +6,8 @@ const FIRST_MODEL = /\/dragon_vrip_res3\.ply-[^/]*\.gz$/;
 
 /** Modules that every drawing needs, but which are fetched only when it asks for them. */
 const FIRST_MODULES = [
-  '/src/worker/WorkerPool.ts',
-  '/src/worker/inlineWorker.ts',
+  '/src/worker/kinds/inlineGeometryWorker.ts',
   '/src/material/parts/lines.ts',
-  '/src/material/parts/exposure.ts',
-  '/src/material/geometry/bakedGeometry.ts',
   '/src/viewer/drawing/modelOfMesh.ts',
 ];
 

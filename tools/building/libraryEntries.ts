@@ -2,7 +2,6 @@ import { fileURLToPath } from 'node:url';
 
 /** Names of the library's entries that the pages import, and the files they stand for. */
 const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
-  [/^three-hatching$/, 'index', 'index'],
   [/^three-hatching\/facts$/, 'facts', 'facts'],
   [/^three-hatching\/hands$/, 'strokes/hands/index', 'hands'],
   [/^three-hatching\/react$/, 'react/index', 'react'],
@@ -19,9 +18,10 @@ const ENTRIES: readonly [name: RegExp, source: string, built: string][] = [
  * Lets the pages import the library by its package name.
  *
  * @param folder of the sources, or of what is built from them, from the root of the project
+ * @param main the file that the name of the package stands for
  */
-export const libraryEntries = (folder: './src/' | './dist/', ending: 'ts' | 'js') =>
-  ENTRIES.map(([find, source, built]) => ({
+export const libraryEntries = (folder: './src/' | './dist/', ending: 'ts' | 'js', main: 'index' | 'development') =>
+  [[/^three-hatching$/, main, main] as const, ...ENTRIES].map(([find, source, built]) => ({
     find,
     replacement: fileURLToPath(
       new URL(`../../${folder}${ending === 'ts' ? source : built}.${ending}`, import.meta.url),

@@ -17,23 +17,38 @@ const ENTRIES: Record<string, Record<string, string>> = {
 const modules = (...paths: readonly string[]): RegExp => new RegExp(`/src/(?:${paths.join('|')})\\.ts$`);
 
 /**
- * Modules that pages use alone: each has its own file, with all its imports that earlier ones do not have. Bundlers move whole files
- * between what a page loads at once and what it loads later, and many small ones that both need would be many requests.
+ * The files that pages load at once and those that they load later, from the first on: each has all its imports that earlier ones do not
+ * have. Bundlers move whole files between what a page loads at once and what it loads later, and each file that two later ones share is
+ * one more request: so what these share lies in files that are there at once, or that all of them need.
  */
 const SEPARATE = [
-  { name: 'HatchingMaterial', test: modules('material/HatchingMaterial') },
+  {
+    name: 'HatchingMaterial',
+    test: modules(
+      'material/HatchingMaterial',
+      // Shared by the techniques, by outlines and by what hatches scenes.
+      ...['look/vectors', 'material/fieldFrameName', 'material/geometry/(?:formAngles|lineFades)'],
+      'material/three/(?:batches|posing)',
+    ),
+  },
   // Shared by materials and bakes, whose files are loaded later.
   { name: 'layouts', test: modules('mesh/bake/attributeLayouts') },
-  // Checks that run at once, for work that is loaded later.
+  // Checks that run at once, for work that is loaded later, and what bakes share with workers and outlines.
   {
     name: 'checks',
     test: modules(
       ...[
-        'material/geometry/PrepareHatchingGeometryOptions',
+        'material/geometry/(?:PrepareHatchingGeometryOptions|OutlineData|PulledVertices|identityOf)',
         'material/diagnostics/assertGeometry',
         'material/tam/checkHatchImageOptions',
+        'material/readImage',
+        'strokes/(?:blurToroidal|random)',
+        'mesh/(?:corners|phases|runSliced)',
+        'mesh/bake/(?:pullLayout|vertexWords)',
+        'mesh/form/FormField',
+        'mesh/features/contourCandidates',
       ],
-      'worker/runTask',
+      'worker/(?:runTask|workerFrom)',
     ),
   },
   { name: 'describeObject', test: modules('material/diagnostics/describeObject') },
@@ -54,27 +69,24 @@ const SEPARATE = [
 const OF_NODES = [
   {
     name: 'linesShared',
-    test: modules(
-      ...[
-        'look/constants/\\w+',
-        'material/geometry/(?:formAngles|lineFades)',
-        'material/(?:fieldFrameName|parts/fieldFrame)',
-      ],
-      'mesh/bake/pullLayout',
-    ),
-    priority: 5,
+    test: modules('look/constants/\\w+', 'material/parts/fieldFrame'),
+    priority: 8,
   },
   {
     name: 'outlinesShared',
-    test: modules(
-      'material/outlines/(?:MeshOutlines|outlineUniforms)',
-      'material/geometry/OutlineData',
-      'material/three/clipping',
-    ),
-    priority: 3,
+    test: modules('material/outlines/(?:MeshOutlines|outlineUniforms)', 'material/three/clipping'),
+    priority: 6,
   },
-  { name: 'deformations', test: modules('material/deformation/Deformations'), priority: 3 },
+  { name: 'deformations', test: modules('material/deformation/Deformations'), priority: 6 },
+  { name: 'exposure', test: modules('material/parts/exposure'), priority: 6 },
+  // What all parts of materials and outlines need, in GLSL.
+  {
+    name: 'surface',
+    test: /\/src\/material\/(?:parts\/surface|deformation\/PrePass|shaders\/\w+)\.ts$|\/shaders\/(?:chunks|perFragment)\/(?:lineCoverage|screenGradient|tooth|deformVertex)\.glsl/,
+    priority: 5,
+  },
   { name: 'HatchingNodeMaterial', test: modules('webgpu/HatchingNodeMaterial'), priority: 2 },
+  { name: 'outlines', test: modules('material/outlines/HatchingOutlines'), priority: 3 },
   { name: 'nodeOutlines', test: modules('webgpu/outlines/HatchingOutlines'), priority: 1 },
 ];
 
@@ -117,6 +129,7 @@ export default defineConfig(
       lib: {
         entry: ENTRIES[mode] ?? {
           index: 'src/index.ts',
+          development: 'src/development.ts',
           facts: 'src/facts.ts',
           svg: 'src/vector/svg/index.ts',
           webgpu: 'src/webgpu/index.ts',
@@ -134,7 +147,7 @@ export default defineConfig(
         ],
         // Chunks that are loaded when they are needed keep their names, those of the command's threads after its own; code that several files need has a chunk of its own.
         output: {
-          chunkFileNames: mode === 'draw' ? 'draw.[name].js' : '[name].js',
+          chunkFileNames: ({ name }) => `${mode === 'draw' ? 'draw.' : ''}${name === 'src' ? 'library' : name}.js`,
           // Tells frameworks that run components on the server that these run in the browser.
           ...(mode === 'react' && { banner: "'use client';" }),
           // A page without a bundler then needs no entry in its import map for the library, and the command finds it anywhere.

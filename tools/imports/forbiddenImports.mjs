@@ -69,7 +69,8 @@ export function objectionTo(file, name) {
   if (!ROOMS[room].some((path) => isIn(target, path.startsWith('/') ? path.slice(1) : `src/${path}`)))
     return `${file} imports ${name}: ${room} imports ${ROOMS[room].join(', ') || 'no other room'} (tools/imports/rooms.mjs).`;
   const [, from, ...path] = target.split('/');
-  if (isIn(target, 'src') && !OFFERS[from]?.includes(path.join('/')))
+  // A room that is one file offers itself.
+  if (isIn(target, 'src') && path.length > 0 && !OFFERS[from]?.includes(path.join('/')))
     return `${file} imports ${name}: ${from} does not offer ${path.join('/')} to other rooms (tools/imports/offers.mjs).`;
   return undefined;
 }

@@ -17,6 +17,7 @@ export const ROOMS = {
   vector: ['mesh', 'worker', 'look', 'material'],
   webgpu: ['mesh', 'look', 'material', 'scene'],
   'index.ts': ['mesh', 'strokes', 'worker', 'look', 'material', 'scene'],
+  'development.ts': ['material', 'index.ts'],
   'facts.ts': ['look', 'material', 'scene'],
 
   // These import the library by its package name, as users do; their other imports are no part of its interface.

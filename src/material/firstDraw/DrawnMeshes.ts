@@ -17,8 +17,8 @@ const waiting: FirstDraw[] = [];
 /** The checks and their messages, loaded when there is something to check; drawing does not wait for them. */
 let checks: typeof import('./checkDraws.js') | undefined;
 
-async function check(): Promise<void> {
-  checks = await loadChecks();
+async function check(load: NonNullable<typeof loadChecks>): Promise<void> {
+  checks = await load();
   checks.checkDraws(waiting.splice(0));
 }
 
@@ -43,7 +43,7 @@ export class DrawnMeshes {
     mesh: Object3D,
     { w: height }: Vector4,
   ): void {
-    if (silence.isOn) return;
+    if (!loadChecks || silence.isOn) return;
     const stale = checks?.isStale(geometry) ?? false;
     const { technique, toneMapped } = material;
     const last = this.seen.get(mesh);
@@ -55,6 +55,6 @@ export class DrawnMeshes {
     const draw = { material, mesh, geometry, scene, camera, renderer, isOnScreen, height, frame };
     waiting.push({ ...draw, isWhole: isWhole(material) });
     // If the checks cannot be loaded, the page draws without them.
-    if (waiting.length === 1) check().catch(() => waiting.splice(0));
+    if (waiting.length === 1) check(loadChecks).catch(() => waiting.splice(0));
   }
 }

@@ -10,8 +10,10 @@ import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
 import { runTask } from '../../worker/runTask.js';
 import { checkNames } from '../../worker/TaskOptions.js';
 import { mustBeAwaited } from '../diagnostics/warn.js';
+import { applyCorners, applyIndexed, applyPull } from './bakedGeometry.js';
 import { checkGeometry } from './checkGeometry.js';
 import { type CornerRange, cornerRange, extractMesh } from './extractMesh.js';
+import { formRequest } from './HatchingFormOptions.js';
 import {
   checkPrepareOptions,
   DEFAULT_CREASE_ANGLE,
@@ -130,7 +132,7 @@ export async function prepareWithForm(
     weldTolerance: options.weldTolerance,
     wantsNormals: repairs.computedNormals > 0,
     outlines: outlineRequest(options.outlines, range),
-    form: await formRequestOf(options),
+    form: formRequestOf(options),
     // A form field that was baked for other triangles does not fit.
     bakedForm: bakedForm?.ofCorner.length === mesh.indices.length ? bakedForm : null,
   };
@@ -139,30 +141,24 @@ export async function prepareWithForm(
     const attributes = [{ ...place, ...positions }, ...kept.map((entry, i) => ({ ...entry, ...copied[i] }))];
     const again = () => ({ ...request, mesh: extractAgain().mesh });
     const baking = runTask('bakeIndexed', { ...request, mesh }, options, again);
-    const [result, { applyIndexed }] = await Promise.all([baking, import('./bakedGeometry.js')]);
-    applyIndexed(prepared, attributes, { ...result, ...own });
+    applyIndexed(prepared, attributes, { ...(await baking), ...own });
     return prepared;
   }
   const requestFor = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
   const requestAgain = (): BakeRequest => requestFor(extractAgain());
   if (layout === 'pull') {
     const baking = runTask('bakePull', requestFor(source), options, requestAgain);
-    const [result, { applyPull }] = await Promise.all([baking, import('./bakedGeometry.js')]);
-    applyPull(prepared, kept, { ...result, ...own });
+    applyPull(prepared, kept, { ...(await baking), ...own });
   } else {
     const baking = runTask('bakeCorners', requestFor(source), options, requestAgain);
-    const [result, { applyCorners }] = await Promise.all([baking, import('./bakedGeometry.js')]);
-    applyCorners(prepared, kept, { ...result, ...own });
+    applyCorners(prepared, kept, { ...(await baking), ...own });
   }
   return prepared;
 }
 
-/** The request for a form field, if one is requested. Its defaults and checks are fetched only then. */
-async function formRequestOf({ form }: PrepareHatchingGeometryOptions): Promise<FormRequest | null> {
-  if (form === undefined || form === false) return null;
-  const { formRequest } = await import('./HatchingFormOptions.js');
-  return formRequest('prepareHatchingGeometry', form);
-}
+/** The request for a form field, if one is requested. */
+const formRequestOf = ({ form }: PrepareHatchingGeometryOptions): FormRequest | null =>
+  form === undefined || form === false ? null : formRequest('prepareHatchingGeometry', form);
 
 /** Copies of a geometry's data that the bake needs, repaired where necessary. */
 interface ExtractedSource extends Repairs {

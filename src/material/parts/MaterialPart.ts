@@ -1,15 +1,17 @@
-import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, Scene, WebGLRenderer } from 'three';
+import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, WebGLRenderer } from 'three';
 import type { VertexLayout } from '../deformation/canDeform.js';
-import type { ToneFit } from '../exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { ShaderFiles } from '../shaders/hatchingShaders.js';
 import type { MeshUniforms } from '../three/MeshUniforms.js';
+import type { Surface } from './surface.js';
 
 /**
  * The shader files and code of a technique, beyond what every material has. Each part is fetched when a material first
  * needs it.
  */
 export interface MaterialPart {
+  /** What every part needs. */
+  readonly surface: Surface;
   /** Its files from shaders/. */
   readonly files: ShaderFiles;
   /** Writes the uniforms of this part. Allocates nothing after the first call. */
@@ -28,6 +30,4 @@ export interface MaterialPart {
   ): VertexLayout | undefined;
   /** Builds the other programs that the part needs for a mesh. */
   compile?(renderer: WebGLRenderer, mesh: Mesh): void;
-  /** The exposure that is fitted to the scene being drawn. Allocates nothing while nothing in it changes. */
-  sceneExposure?(renderer: WebGLRenderer, scene: Scene, camera: Camera): ToneFit;
 }

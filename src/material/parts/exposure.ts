@@ -2,7 +2,6 @@ import type { Camera, Object3D, Scene, WebGLRenderer } from 'three';
 import { ExposureFit } from '../exposure/ExposureFit.js';
 import type { ToneFit } from '../exposure/ToneFit.js';
 import { FrameStamp } from '../FrameStamp.js';
-import type { MaterialPart } from './MaterialPart.js';
 
 interface Kept {
   readonly fit: ExposureFit;
@@ -24,6 +23,3 @@ export function sceneExposure(renderer: WebGLRenderer, scene: Scene, camera: Cam
   known.updated.note(renderer, camera);
   return known.fit.update(scene, camera.layers.mask);
 }
-
-/** The part that fits exposures, for materials with an `exposure` of `'auto'`. */
-export const part: MaterialPart = { files: {}, sceneExposure };

@@ -15,6 +15,7 @@ import { lineContrast } from '../geometry/lineFades.js';
 import { definesOf } from '../shaders/shaderText.js';
 import { writeFieldFrame } from './fieldFrame.js';
 import type { MaterialPart } from './MaterialPart.js';
+import { surface } from './surface.js';
 
 const TABLES = [
   ...[LINE_CONSTANTS, SCREEN_CONSTANTS, FIELD_CONSTANTS, FORM_CONSTANTS, GROUND_CONSTANTS],
@@ -27,6 +28,7 @@ const lineConstantsChunk = (): string =>
 
 /** The techniques `engraving`, `pen` and `woodcut`. */
 export const part: MaterialPart = {
+  surface,
   files: {
     ...import.meta.glob<string>(
       ['./techniques/lines/*', './chunks/lineCoverage.glsl', './perFragment/screenGradient.glsl'],

@@ -1,54 +1,50 @@
-import type { Camera, IUniform, Scene, WebGLRenderer } from 'three';
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
 import { familyOf } from '../../look/presetParameters.js';
-import { isFitted, writeFit } from '../exposure/ToneFit.js';
-import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { MaterialPart } from './MaterialPart.js';
 
-/** The import of each part. The technique `hatching`, the default, needs none. */
+type Imports = readonly Promise<{ part: MaterialPart }>[];
+
+/** The imports of each part. All start at once, so that none waits for another. */
 const FETCH = {
-  dryMedia: () => import('./dryMedia.js'),
-  stipple: () => import('./stipple.js'),
-  lines: () => import('./lines.js'),
-  perTriangle: () => import('./perTriangle.js'),
-  exposure: () => import('./exposure.js'),
+  strokes: (): Imports => [import('./strokes.js')],
+  dryMedia: (): Imports => [import('./strokes.js'), import('./dryMedia.js')],
+  stipple: (): Imports => [import('./strokes.js'), import('./stipple.js')],
+  lines: (): Imports => [import('./lines.js')],
+  perTriangle: (): Imports => [import('./perTriangle.js')],
 };
 
 export type PartName = keyof typeof FETCH;
 
 const NAMES: Readonly<Record<PartName, string>> = {
+  strokes: 'the technique "hatching"',
   dryMedia: 'the technique "dryMedia"',
   stipple: 'the technique "stipple"',
   lines: 'the techniques "engraving", "pen" and "woodcut"',
   perTriangle: 'the techniques "triangle" and "adjacency"',
-  exposure: 'at the exposure "auto"',
 };
 
 const fetched = /* @__PURE__ */ new Map<PartName, MaterialPart>();
 const fetching = /* @__PURE__ */ new Map<PartName, Promise<MaterialPart>>();
 
-/** The part that a technique needs; null if none. */
-export function partNameOf(technique: HatchingTechnique): PartName | null {
-  if (technique === 'dryMedia' || technique === 'stipple') return technique;
-  const family = familyOf(technique);
-  return family === 'strokes' ? null : family;
+/** The part that a technique needs. */
+export function partNameOf(technique: HatchingTechnique): PartName {
+  return technique === 'dryMedia' || technique === 'stipple' ? technique : familyOf(technique);
 }
 
-/** The properties that decide which parts a material needs. */
+/** The properties that decide which part a material needs. */
 export interface LookOfParts {
   readonly technique: HatchingTechnique;
-  readonly exposure: number | 'auto';
 }
-
-/** All parts that a look needs. */
-const partNamesOf = ({ technique, exposure }: LookOfParts): PartName[] =>
-  [partNameOf(technique), exposure === 'auto' ? ('exposure' as const) : null].filter((name) => name !== null);
 
 /** A part that has loaded; undefined if it has not. */
 export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched.get(name);
 
-/** Whether all parts of a look have loaded. */
-export const isFetched = (look: LookOfParts): boolean => partNamesOf(look).every((name) => fetched.has(name));
+/** Whether the part of a look has loaded. */
+export const isFetched = ({ technique }: LookOfParts): boolean => fetched.has(partNameOf(technique));
+
+/** Several parts as one. */
+const joined = (parts: readonly MaterialPart[]): MaterialPart =>
+  Object.assign({}, ...parts, { files: Object.assign({}, ...parts.map(({ files }) => files)) });
 
 /**
  * Fetches a part, once. A failure, such as a missing network, is reported, and the next call tries again.
@@ -58,8 +54,9 @@ export const isFetched = (look: LookOfParts): boolean => partNamesOf(look).every
 export function fetchPart(name: PartName): Promise<MaterialPart> {
   let promise = fetching.get(name);
   if (!promise) {
-    promise = FETCH[name]().then(
-      ({ part }) => {
+    promise = Promise.all(FETCH[name]()).then(
+      (imported) => {
+        const part = joined(imported.map((one) => one.part));
         fetched.set(name, part);
         return part;
       },
@@ -81,9 +78,9 @@ const failure = (name: PartName, cause: unknown): Error =>
     { cause },
   );
 
-/** Fetches the parts that a look needs, if any. */
-export async function fetchPartsOf(look: LookOfParts): Promise<void> {
-  await Promise.all(partNamesOf(look).map(fetchPart));
+/** Fetches the part that a look needs. */
+export async function fetchPartsOf({ technique }: LookOfParts): Promise<void> {
+  await fetchPart(partNameOf(technique));
 }
 
 /** Fetches all parts. */
@@ -93,7 +90,7 @@ export async function fetchParts(): Promise<void> {
 
 /** The part that the program of one material uses. */
 export class PartInUse {
-  /** The part; null if the program needs none. */
+  /** The part; null before the first has loaded. */
   part: MaterialPart | null = null;
   private awaited: PartName | null = null;
 
@@ -103,14 +100,16 @@ export class PartInUse {
   /**
    * Uses the part that a look needs, or fetches it.
    *
-   * @returns whether it has loaded; if not, the previous part stays in use
+   * @returns the part, if it has loaded; if not, the previous part stays in use
    */
-  take({ technique }: { technique: HatchingTechnique }): boolean {
+  take({ technique }: LookOfParts): MaterialPart | undefined {
     const name = partNameOf(technique);
-    const part = name && fetchedPart(name);
-    if (part !== undefined) this.part = part;
-    else if (this.awaited !== name) this.await(name!);
-    return part !== undefined;
+    const part = fetchedPart(name);
+    if (part) {
+      this.part = part;
+      this.awaited = null;
+    } else if (this.awaited !== name) this.await(name);
+    return part;
   }
 
   private await(name: PartName): void {
@@ -118,36 +117,13 @@ export class PartInUse {
     const end = (): void => {
       if (this.awaited === name) this.awaited = null;
     };
-    fetchPart(name).then(() => {
-      end();
-      this.onFetched();
-    }, end);
-  }
-}
-
-/** The exposure of one material, if it is fitted to the scene. */
-export class ExposureInUse {
-  private isAwaited = false;
-
-  /** Fetches the code that fits an exposure, if a material needs it. */
-  fetch({ exposure }: HatchingMaterialProperties): void {
-    if (exposure !== 'auto' || this.isAwaited) return;
-    this.isAwaited = true;
-    // Failures are reported where they occur.
-    fetchPart('exposure').catch(() => {});
-  }
-
-  /** Writes the exposure that suits the scene being drawn, once the code has loaded. */
-  write(
-    material: HatchingMaterialProperties,
-    renderer: WebGLRenderer,
-    scene: Scene,
-    camera: Camera,
-    uniforms: Readonly<Record<string, IUniform>>,
-  ): void {
-    this.fetch(material);
-    if (!isFitted(material)) return;
-    const fit = fetchedPart('exposure')?.sceneExposure?.(renderer, scene, camera);
-    if (fit) writeFit(fit, material, uniforms);
+    // Of properties that are set one after the other, the last decides what is fetched.
+    queueMicrotask(() => {
+      if (this.awaited !== name) return;
+      fetchPart(name).then(() => {
+        end();
+        this.onFetched();
+      }, end);
+    });
   }
 }

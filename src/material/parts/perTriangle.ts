@@ -4,6 +4,7 @@ import { canDeform, deforms } from '../deformation/canDeform.js';
 import { glslDeformations } from '../deformation/PrePass.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import type { MaterialPart } from './MaterialPart.js';
+import { surface } from './surface.js';
 
 /**
  * Sets the uniforms of a material that is about to draw `object`: the vertex textures of the layout `pull`, as deformed in
@@ -51,6 +52,7 @@ function bind(material: ShaderMaterial, name: string, value: Texture | number): 
 
 /** The techniques whose strokes lie in triangles: `triangle` and `adjacency`. */
 export const part: MaterialPart = {
+  surface,
   files: import.meta.glob(['./techniques/{triangle,adjacency}/*', './perTriangle/*'], {
     base: '../../../shaders',
     query: '?raw',

@@ -3,9 +3,11 @@ import { definesOf } from '../shaders/shaderText.js';
 import { STIPPLE_MAP_SIZE } from '../tam/patternSizes.js';
 import { stippleMap } from '../tam/stippleMap.js';
 import type { MaterialPart } from './MaterialPart.js';
+import { surface } from './surface.js';
 
 /** The technique `stipple`. */
 export const part: MaterialPart = {
+  surface,
   files: {
     ...import.meta.glob<string>(['./techniques/strokes/{stipple,dots}.glsl', './perFragment/screenGradient.glsl'], {
       base: '../../../shaders',

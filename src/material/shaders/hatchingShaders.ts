@@ -1,4 +1,3 @@
-import { ShaderLib } from 'three';
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
 import { familyOf } from '../../look/presetParameters.js';
 import { packingChunk } from '../three/chunks.js';
@@ -20,13 +19,11 @@ export type ShaderFiles = Readonly<Record<string, string>>;
 /** The files that every material needs. `parts` holds those of others. */
 const files: ShaderFiles = import.meta.glob(
   [
-    './{hatching,plain}.*',
+    './hatching.*',
     './{chunks,environment,shadowMaps}/*',
     '!./chunks/{dryMedia,tooth,lineCoverage,meanLight}.glsl',
     './perFragment/*',
     '!./perFragment/screenGradient.glsl',
-    './techniques/strokes/*',
-    '!./techniques/strokes/{stipple,dots}.glsl',
   ],
   { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
 );
@@ -36,14 +33,13 @@ const ABSENT: Readonly<Record<string, string>> = { dryMedia: '', 'technique/stip
 
 // Shaders are resolved on first use, so that a page that never hatches does no work, and a bundler may leave this out.
 const made = new Map<ShaderFiles, Partial<Record<TechniqueFolder, Shaders>>>();
-const NONE: ShaderFiles = {};
 
 /**
  * The shaders of a technique.
  *
  * @param further the files of the part that the technique needs
  */
-export function hatchingShaders(technique: HatchingTechnique, further = NONE): Shaders {
+export function hatchingShaders(technique: HatchingTechnique, further: ShaderFiles): Shaders {
   const folder = folderOf(technique);
   const known = made.get(further) ?? {};
   made.set(further, known);
@@ -67,12 +63,6 @@ function shadersOf(folder: TechniqueFolder, all: ShaderFiles): Shaders {
     fragmentShader: resolveIncludes(chunks['hatching.frag'], chunks),
   };
 }
-
-/** The shaders of plain paper, drawn while the code of a technique loads. */
-export const plainShaders = (): Shaders => ({
-  vertexShader: ShaderLib.basic.vertexShader,
-  fragmentShader: files['./plain.frag'],
-});
 
 /** The chunks that depend on TypeScript constants and on the installed three.js. */
 const sharedChunks = (): Record<string, string> => ({

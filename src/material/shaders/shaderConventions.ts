@@ -4,15 +4,14 @@ import {
   SHADOW_SAMPLES,
   TONE_CONSTANTS,
 } from '../../look/constants/shadingConstants.js';
-import { constantCase, type HatchingProperty, type HatchingTexture } from '../../look/HatchingProperty.js';
+import { constantCase, type HatchingProperty } from '../../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES } from '../../look/hatchingProperties.js';
 import { cornerLayout } from '../../mesh/bake/attributeLayouts.js';
 import { VERTEX_LAYOUTS } from '../deformation/canDeform.js';
 import { TONE_CURVE_SPANS } from '../fitToneCurve.js';
 import { lightCountDefines } from '../three/lightKinds.js';
+import { channelDefine, TONE_CURVES } from './defineNames.js';
 import { definesOf } from './shaderText.js';
-
-export const TONE_CURVES = ['linear', 'perceptual', 'points'] as const;
 
 const numbered = (prefix: string, names: readonly string[]) =>
   names.map((name, index) => `#define ${prefix}_${constantCase(name)} ${index}`);
@@ -29,12 +28,6 @@ export const conventionsChunk = (): string =>
     definesOf({ TONE_CURVE_SPANS, ...SHADOW_SAMPLES }, ''),
     lightCountDefines(),
   ].join('\n');
-
-/** The define that names the varying of a map's texture coordinates. It is not defined without the map. */
-export const channelDefine = ({ uniform }: HatchingTexture): string => `${uniform.toUpperCase()}_CHANNEL`;
-
-/** The varyings of the texture coordinates of each channel. */
-export const CHANNEL_VARYINGS = ['vUv', 'vUv1', 'vUv2', 'vUv3'] as const;
 
 /**
  * Macros that replace the names by which three's chunks read a map's texture coordinates: the varying of its channel, times its

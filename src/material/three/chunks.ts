@@ -7,7 +7,7 @@ import type { ChunkName } from './warnOfChunk.js';
 export function expectChunk(name: ChunkName, isKnown: boolean): boolean {
   // If the sentence cannot be loaded, the page draws without it.
   if (!isKnown)
-    loadChecks()
+    loadChecks?.()
       .then((checks) => checks.warnOfChunk(name))
       .catch(() => {});
   return isKnown;

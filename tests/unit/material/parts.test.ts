@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { fetchedPart, partNameOf } from '../../../src/material/parts/parts.js';
-import { plainShaders } from '../../../src/material/shaders/hatchingShaders.js';
+import { plainShaders } from '../../../src/material/shaders/plainShaders.js';
 
 afterEach(() => vi.restoreAllMocks());
 
@@ -10,23 +10,22 @@ const isPlain = (material: HatchingMaterial): boolean =>
 
 // Each test is the first to use its part: parts are fetched once.
 describe('code that is fetched when a material first uses it', () => {
-  test('is none for strokes of ink', async () => {
-    const material = new HatchingMaterial({ technique: 'hatching' });
-    expect(isPlain(material)).toBe(false);
-    expect(material.fragmentShader).toContain('latticeSpacing');
-    await material.ready;
-  });
-
-  test('leaves the surface plain until it has loaded, and then changes the program', async () => {
-    const material = new HatchingMaterial({ technique: 'engraving' });
-    expect(isPlain(material)).toBe(true);
-    const { version } = material;
-    await material.ready;
-    expect(isPlain(material)).toBe(false);
-    expect(material.fragmentShader).toContain('lineSpacing');
-    expect(material.version).toBe(version + 1);
-    expect(isPlain(new HatchingMaterial({ technique: 'engraving' }))).toBe(false);
-  });
+  test.each([
+    ['hatching', 'latticeSpacing'],
+    ['engraving', 'lineSpacing'],
+  ] as const)(
+    'leaves the surface plain until it has loaded, and then changes the program: %s',
+    async (technique, of) => {
+      const material = new HatchingMaterial({ technique });
+      expect(isPlain(material)).toBe(true);
+      const { version } = material;
+      await material.ready;
+      expect(isPlain(material)).toBe(false);
+      expect(material.fragmentShader).toContain(of);
+      expect(material.version).toBe(version + 1);
+      expect(isPlain(new HatchingMaterial({ technique }))).toBe(false);
+    },
+  );
 
   test('leaves a material unchanged until it has loaded', async () => {
     const material = new HatchingMaterial({ technique: 'hatching' });
@@ -64,7 +63,7 @@ describe('code that is fetched when a material first uses it', () => {
     await HatchingMaterial.preload();
     for (const technique of ['triangle', 'adjacency', 'dryMedia', 'stipple', 'engraving'] as const) {
       expect(isPlain(new HatchingMaterial({ technique }))).toBe(false);
-      expect(fetchedPart(partNameOf(technique)!)).toBeDefined();
+      expect(fetchedPart(partNameOf(technique))).toBeDefined();
     }
   });
 

@@ -58,8 +58,9 @@ describe('the work of a frame', () => {
   });
 });
 
-test('setting an unchanged choice does not change the program', () => {
+test('setting an unchanged choice does not change the program', async () => {
   const { material, count } = countingMaterial();
+  await material.ready;
   material.strokeLayers = 'lights';
   const { reads } = count;
   expect(reads).toBeGreaterThan(0);

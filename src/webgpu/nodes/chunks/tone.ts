@@ -1,7 +1,7 @@
 /** From radiance and colour of a surface to its tone. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { TONE_CURVE_SPANS } from '../../../material/fitToneCurve.js';
-import { TONE_CURVES } from '../../../material/shaders/shaderConventions.js';
+import { TONE_CURVES } from '../../../material/shaders/defineNames.js';
 import type { ReceivedShadow } from '../base/lights.js';
 import { lightLuminance } from '../base/maths.js';
 import { hatchingElement, hatchingUniform } from '../base/uniforms.js';

@@ -23,6 +23,7 @@ import {
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
 import { prepareHatchingGeometry } from '../../../../src/material/geometry/prepareHatchingGeometry.js';
+import '../../../../src/development.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { TonalArtMap } from '../../../../src/material/tam/TonalArtMap.js';
 

@@ -5,7 +5,8 @@ import { deformationShaders } from '../../../../src/material/deformation/PrePass
 import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
-import { hatchingShaders, plainShaders, type Shaders } from '../../../../src/material/shaders/hatchingShaders.js';
+import { hatchingShaders, type Shaders } from '../../../../src/material/shaders/hatchingShaders.js';
+import { plainShaders } from '../../../../src/material/shaders/plainShaders.js';
 import { environmentLayout } from '../../../../src/material/three/environments.js';
 
 const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
@@ -14,8 +15,7 @@ const FOLDERS = { adjacency: 'adjacency', lines: 'engraving', strokes: 'hatching
 
 /** The shaders of a technique, with the part that it needs. */
 async function shadersOf(technique: HatchingTechnique): Promise<Shaders> {
-  const part = partNameOf(technique);
-  return hatchingShaders(technique, part ? (await fetchPart(part)).files : undefined);
+  return hatchingShaders(technique, (await fetchPart(partNameOf(technique))).files);
 }
 
 const files = readdirSync('shaders', { recursive: true, withFileTypes: true })

@@ -37,7 +37,13 @@ test('no other file knows what three.js does not promise', () => {
 });
 
 /** What the tests take of a version of three.js, and of the library with it. */
-const modulesOf = async () => ({
+const modulesOf = async () => {
+  const { addChecks } = await import('../../../../src/material/firstDraw/loadChecks.js');
+  addChecks(() => import('../../../../src/material/firstDraw/checkDraws.js'));
+  return modulesOfThree();
+};
+
+const modulesOfThree = async () => ({
   ...(await import('../../../../src/material/three/MeshUniforms.js')),
   ...(await import('../../../../src/material/three/hooks.js')),
   ...(await import('../../../../src/material/three/posing.js')),

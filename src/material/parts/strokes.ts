@@ -1,0 +1,13 @@
+import type { MaterialPart } from './MaterialPart.js';
+import { surface } from './surface.js';
+
+/** Strokes that are anchored in the surface: the technique `hatching`, and what `dryMedia` and `stipple` share with it. */
+export const part: MaterialPart = {
+  surface,
+  files: import.meta.glob<string>(['./techniques/strokes/*', '!./techniques/strokes/{stipple,dots}.glsl'], {
+    base: '../../../shaders',
+    query: '?raw',
+    import: 'default',
+    eager: true,
+  }),
+};

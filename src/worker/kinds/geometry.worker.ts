@@ -1,0 +1,4 @@
+import { serveTasks } from '../serveTasks.js';
+import { geometryTasks } from './geometryTasks.js';
+
+serveTasks(geometryTasks);

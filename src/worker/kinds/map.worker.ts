@@ -1,0 +1,4 @@
+import { serveTasks } from '../serveTasks.js';
+import { mapTasks } from './mapTasks.js';
+
+serveTasks(mapTasks);

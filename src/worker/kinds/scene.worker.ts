@@ -1,0 +1,4 @@
+import { serveTasks } from '../serveTasks.js';
+import { sceneTasks } from './sceneTasks.js';
+
+serveTasks(sceneTasks);
