@@ -15,8 +15,8 @@ export async function viteBuild(name: string, options: BuildOptions = {}): Promi
       outDir,
       emptyOutDir: true,
       chunkSizeWarningLimit: 4000,
-      rolldownOptions: { input: join(projectFolder, `${name}.html`) },
       ...options,
+      rolldownOptions: { input: join(projectFolder, `${name}.html`), ...options.rolldownOptions },
     },
   });
   return outDir;

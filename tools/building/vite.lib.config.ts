@@ -28,7 +28,7 @@ const SEPARATE = [
       'material/HatchingMaterial',
       // Shared by the techniques, by outlines and by what hatches scenes.
       ...['look/vectors', 'material/fieldFrameName', 'material/geometry/(?:formAngles|lineFades)'],
-      'material/three/(?:batches|posing)',
+      ...['material/three/(?:batches|posing)', 'mesh/bake/pullLayout'],
     ),
   },
   // Shared by materials and bakes, whose files are loaded later.
@@ -44,7 +44,7 @@ const SEPARATE = [
         'material/readImage',
         'strokes/(?:blurToroidal|random)',
         'mesh/(?:corners|phases|runSliced)',
-        'mesh/bake/(?:pullLayout|vertexWords)',
+        'mesh/bake/vertexWords',
         'mesh/form/FormField',
         'mesh/features/contourCandidates',
       ],

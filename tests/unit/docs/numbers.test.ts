@@ -219,6 +219,14 @@ describe('counts are those of the code', () => {
     for (const [i, limit] of limits.entries()) expect(told[i]).toBeGreaterThanOrEqual(limit);
   });
 
+  test('what the three lines load', () => {
+    const spec = readFileSync(`${root}tests/consumers/loading.spec.ts`, 'utf8');
+    const limits = ['AT_ONCE', 'LATER'].map(
+      (name) => Number(new RegExp(`MOST_${name} = ([\\d_]+)`).exec(spec)?.[1].replaceAll('_', '')) / 1000,
+    );
+    expect(numbersIn('README.md', /load at most (\d+) kB at once and (\d+) kB in/)).toEqual(limits);
+  });
+
   test('versions', () => {
     const { peerDependencies, devEngines } = JSON.parse(readFileSync(`${root}package.json`, 'utf8'));
     const [three] = /\d+\.\d+/.exec(peerDependencies.three)!;
