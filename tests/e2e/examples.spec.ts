@@ -250,6 +250,12 @@ test.describe('<hatched-model>', () => {
           .evaluate((element, [attribute, text]) => element.setAttribute(attribute, text), [name, value] as const);
       const [jug, fish] = [0, 1];
       const usual = await ink(jug);
+      const models = (): Promise<number> =>
+        page.evaluate(
+          () => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('.glb')).length,
+        );
+      const loaded = await models();
+      expect(loaded).toBeGreaterThan(0);
       await set(jug, 'exposure', '1.6');
       await expect.poll(() => ink(jug)).toBeLessThan(0.9 * usual);
       await set(jug, 'exposure', '1');
@@ -262,6 +268,10 @@ test.describe('<hatched-model>', () => {
       await expect.poll(() => ink(fish)).toBeLessThan(hatched - 5e-5);
       await set(fish, 'color-fill', '1');
       await expect.poll(() => ink(fish)).toBeGreaterThan(hatched);
+      await set(jug, 'preset', 'woodcut');
+      await expect.poll(() => ink(jug)).toBeGreaterThan(1.2 * usual);
+      // Other looks load no model again.
+      expect(await models()).toBe(loaded);
     });
 
     await test.step('has strokes as wide on a dense screen', async () => {
