@@ -121,7 +121,7 @@ test('unopened parts of the page open without a connection, once the page has be
   await page.getByRole('button', { name: 'Gallery' }).click();
   await expect(page.getByRole('heading', { name: 'Gallery' })).toBeVisible();
   await page.keyboard.press('Escape');
-  await page.getByRole('combobox', { name: 'Compare with' }).selectOption('Engraved');
+  await page.getByRole('combobox', { name: 'Compare with' }).selectOption('Engraving');
   await expect(page.locator('#divider')).toBeVisible();
   await page.getByRole('button', { name: 'Picture', exact: true }).click();
   await page.getByRole('button', { name: 'Code and embedding' }).click();
@@ -453,12 +453,12 @@ test('only settings of the techniques in use are offered', { tag: '@all' }, asyn
   await expect(anchors).toBeHidden();
   await expect(shift).toBeVisible();
   // Dots come from no map and have no direction.
-  const [style, direction] = [page.getByLabel('Style'), page.getByLabel('Direction', { exact: true })];
+  const [style, direction] = [page.getByLabel('Style'), page.getByLabel('Strokes run', { exact: true })];
   await expect(style).toBeVisible();
   await page.getByRole('button', { name: 'Stipple', exact: true }).click();
   for (const hidden of [anchors, shift, style, direction]) await expect(hidden).toBeHidden();
   await page.getByRole('button', { name: 'Pencil', exact: true }).click();
-  await page.getByLabel('Strokes follow').selectOption('The light');
+  await page.getByLabel('Direction', { exact: true }).selectOption('The light');
   for (const shown of [anchors, style, direction]) await expect(shown).toBeVisible();
   // A pen draws the lines of another technique.
   await page.getByRole('button', { name: 'Pen', exact: true }).click();

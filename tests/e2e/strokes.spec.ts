@@ -88,7 +88,7 @@ test('strokes follow the form once it is baked, and the light again when it is c
   await openPlayground(page, following);
   await idle(page);
   const formed = await readDrawing(page);
-  await expect(page.getByLabel('Strokes follow')).toHaveValue('The form');
+  await expect(page.getByLabel('Direction', { exact: true })).toHaveValue('The form');
   await follow(page, view);
   expect(changedShare(formed, await readDrawing(page))).toBeGreaterThan(0.05);
   await follow(page, following);
@@ -101,7 +101,7 @@ test('a picture that is saved while the form is baked waits for it', { tag: '@al
   const lit = await savePicture(page);
   await enterLink(page, `${view}&direction=form`);
   // The page fetches what follows links with the first one.
-  await expect(page.getByLabel('Lines follow')).toHaveValue('The form');
+  await expect(page.getByLabel('Direction', { exact: true })).toHaveValue('The form');
   const atOnce = await savePicture(page);
   await idle(page);
   expect(changedShare(atOnce, lit)).toBeGreaterThan(0.1);
