@@ -140,14 +140,7 @@ test.describe('the tarball', () => {
     expect(importsOf('bake.worker.js')).toEqual([]);
     expect(importsOf('svg.worker.js')).toEqual([]);
     expect(importsOf('hand.worker.js')).toEqual([]);
-    const ofReact = [
-      '@react-three/fiber',
-      'react',
-      'react/jsx-runtime',
-      'three',
-      'three-hatching',
-      'three-hatching/facts',
-    ];
+    const ofReact = ['@react-three/fiber', 'react', 'react/jsx-runtime', 'three-hatching', 'three-hatching/facts'];
     expect(importsOf('react.js').sort()).toEqual(ofReact);
     expect(readFileSync(join(libraryFolder, 'dist/react.js'), 'utf8')).toMatch(/^["']use client["'];\n/);
     for (const name of importsOf('command.js')) expect(name).toMatch(/^node:/);

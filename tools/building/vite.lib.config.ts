@@ -27,7 +27,7 @@ const SEPARATE = [
     test: modules(
       'material/HatchingMaterial',
       // Shared by the techniques, by outlines and by what hatches scenes.
-      ...['look/vectors', 'material/fieldFrameName', 'material/geometry/(?:formAngles|lineFades)'],
+      ...['look/vectors', 'scene/GivenValues', 'material/fieldFrameName', 'material/geometry/(?:formAngles|lineFades)'],
       ...['material/three/(?:batches|posing)', 'mesh/bake/pullLayout'],
     ),
   },

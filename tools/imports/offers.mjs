@@ -58,15 +58,7 @@ export const OFFERS = {
     'tamImages/HatchImages.ts',
     'tamImages/makeLevels.ts',
   ],
-  worker: [
-    'fetchWorker.ts',
-    'handsAsync.ts',
-    'runTask.ts',
-    'serveTasks.ts',
-    'TaskOptions.ts',
-    'TaskSet.ts',
-    'workerFrom.ts',
-  ],
+  worker: ['handsAsync.ts', 'runTask.ts', 'serveTasks.ts', 'TaskOptions.ts', 'TaskSet.ts', 'workerFrom.ts'],
   look: [
     'presetParameters.ts',
     'glass.ts',

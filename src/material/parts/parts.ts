@@ -16,7 +16,7 @@ const FETCH = {
 export type PartName = keyof typeof FETCH;
 
 const NAMES: Readonly<Record<PartName, string>> = {
-  strokes: 'the technique "hatching"',
+  strokes: 'strokes of ink',
   dryMedia: 'the technique "dryMedia"',
   stipple: 'the technique "stipple"',
   lines: 'the techniques "engraving", "pen" and "woodcut"',
