@@ -122,7 +122,7 @@ function reusableOf(
   if (detail) return { reused, rest };
   for (const [source, plan] of atOnce) {
     const known = reusable.get(source);
-    if (known?.positions !== source.attributes.position) continue;
+    if (!known || known.positions !== source.attributes.position) continue;
     // A form that is baked later may be there already.
     if (![plan, plans.get(source)!].some((one) => known.key === bakeKey(source, one, prepare))) continue;
     reused.set(source, known.geometry);
