@@ -18,6 +18,7 @@ import {
   Decal,
   Detailed,
   Edges,
+  Environment,
   Float,
   GizmoHelper,
   GizmoViewport,
@@ -28,6 +29,7 @@ import {
   Image,
   Instance,
   Instances,
+  Lightformer,
   Line,
   MarchingCube,
   MarchingCubes,
@@ -365,6 +367,19 @@ export const PARTS: Record<string, Part> = {
       <Model changed={changed} />
     </>
   )),
+  // What reads an environment is made with the first one, and stays with the renderer.
+  Environment: part(
+    'hatched',
+    ({ changed }) => (
+      <>
+        <Environment resolution={16}>
+          <Lightformer intensity={2} position={[0, 3, 0]} />
+        </Environment>
+        <Model changed={changed} />
+      </>
+    ),
+    2,
+  ),
   SpotLight: part('hatched', ({ changed }) => (
     <>
       <SpotLight position={[0, 2.5, 0]} angle={changed ? 0.4 : 0.3} distance={4} />
