@@ -13,6 +13,7 @@ export type {
   HatchingMeasure,
   HatchingNumber,
   HatchingOther,
+  HatchingOwner,
   HatchingProperty,
   HatchingSwitch,
   HatchingTechniqueData,
@@ -31,10 +32,12 @@ export {
   drawsLines,
   followsForm,
   formOf,
+  givenValue,
   type HatchingLook,
   knowsChoice,
   needsAdjacency,
   needsMap,
+  parametersOf,
 } from './look/queries.js';
 export { HATCHING_BACKGROUND_DEFAULTS } from './material/backgroundProperties.js';
 export { HATCHING_OUTLINE_DEFAULTS } from './material/outlines/outlineProperties.js';

@@ -4,6 +4,7 @@
  * @module three-hatching
  */
 
+export type { HatchingOwner } from './look/HatchingProperty.js';
 // The types of all choices.
 export type * from './look/hatchingProperties.js';
 export type { HiddenOutlines } from './look/hiddenOutlines.js';
@@ -20,9 +21,22 @@ export type {
 export type { HatchingStatistics } from './material/geometry/preparedGeometry.js';
 export { prepareHatchingGeometry } from './material/geometry/prepareHatchingGeometry.js';
 export type { Repairs } from './material/geometry/repairValues.js';
+export { HatchingComposition } from './material/groups/HatchingComposition.js';
+export type {
+  HatchingCompositionOptions,
+  HatchingCompositionProperties,
+  HatchingShadowOptions,
+  HatchingShadowProperties,
+  PerTriangleOptions,
+  PerTriangleProperties,
+} from './material/groups/ownedProperties.js';
+export type { PerTriangle } from './material/groups/PerTriangle.js';
+export type { PropertyGroup } from './material/groups/PropertyGroup.js';
+export type { HatchingShadowMaterialParameters } from './material/groups/shadows.js';
 export { HatchingBackground, type HatchingBackgroundParameters } from './material/HatchingBackground.js';
 export { HatchingMaterial } from './material/HatchingMaterial.js';
 export type { HatchingMaterialOptions, HatchingMaterialProperties } from './material/HatchingMaterialProperties.js';
+export { HatchingShadowMaterial } from './material/HatchingShadowMaterial.js';
 export type { HatchingMaterialJSON } from './material/hatchingJSON.js';
 export {
   HatchingOutlineMaterial,

@@ -1,4 +1,4 @@
-import type { HatchingMaterialParameters, TonalArtMap } from 'three-hatching';
+import type { HatchingMaterialParameters, HatchingShadowMaterialParameters, TonalArtMap } from 'three-hatching';
 import { drawsLines, needsAdjacency } from 'three-hatching/facts';
 
 /** A plain look for every technique: the tone of the light, in one layer, tangent to the light. */
@@ -7,10 +7,6 @@ const PLAIN: HatchingMaterialParameters = {
   reflectedLight: 0,
   hollowStrength: 0,
   crossFrom: 0.52,
-  shadowTone: 1,
-  shadowFade: 0,
-  shadowSoftness: 0,
-  shadowDirection: 'strokes',
 };
 
 /**
@@ -22,7 +18,7 @@ const PLAIN: HatchingMaterialParameters = {
 export function plainLook(look: HatchingMaterialParameters = {}): HatchingMaterialParameters {
   const { technique = 'adjacency', tonalArtMap = null } = look;
   const plain = { ...PLAIN, technique, tonalArtMap };
-  if (drawsLines(technique)) return { ...plain, screenSpaceShare: 0, lineSpacing: 5, shadowSpacing: 1, ...look };
+  if (drawsLines(technique)) return { ...plain, screenSpaceShare: 0, lineSpacing: 5, ...look };
   if (needsAdjacency({ technique })) return { ...plain, ...look };
   return {
     ...plain,
@@ -33,3 +29,9 @@ export function plainLook(look: HatchingMaterialParameters = {}): HatchingMateri
     ...look,
   };
 }
+
+/** A plain look for a ground that shows shadows alone: full shadows, with hard edges, in strokes as those of any surface. */
+export const plainShadow = (look: HatchingShadowMaterialParameters = {}): HatchingShadowMaterialParameters => ({
+  ...{ shadowTone: 1, shadowFade: 0, shadowSoftness: 0, shadowDirection: 'strokes', shadowSpacing: 1 },
+  ...plainLook(look),
+});

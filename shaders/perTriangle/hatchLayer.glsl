@@ -1,6 +1,6 @@
 // Algorithm 3: the darkness of one layer of strokes, blended as greys or, beyond the paper, as fields.
 #include "perTriangle/levelRules"
-#ifdef CRISP
+#ifdef SHARP_INK
   #include "thresholdMap"
   #include "ink"
   #include "perTriangle/crispLevel"
@@ -8,4 +8,4 @@
 #else
   #include "perTriangle/tonalArtMap"
   #include "technique/greys"
-#endif // CRISP
+#endif // SHARP_INK

@@ -1,4 +1,4 @@
-import type { HatchingPreset } from 'three-hatching';
+import type { HatchingCompositionOptions, HatchingPreset } from 'three-hatching';
 import { Drawing } from './Drawing.js';
 import { elementStyle } from './elementStyle.js';
 import {
@@ -183,13 +183,15 @@ export class HatchedModelElement extends Base {
   /** The preset with the numbers that attributes override. @throws Error if one is wrong */
   private readLook(): HatchingPreset {
     const preset = readPreset(this.getAttribute('preset'));
-    const changes = (Object.keys(LOOK_NUMBERS) as LookNumber[]).flatMap((name) => {
+    const own: Record<string, number> = {};
+    // Its one picture follows the light, which visitors turn.
+    const composition: Partial<HatchingCompositionOptions> & Record<string, unknown> = { exposure: 'auto' };
+    for (const name of Object.keys(LOOK_NUMBERS) as LookNumber[]) {
       const value = readLookNumber(name, this.getAttribute(name));
-      return value === undefined ? [] : [[LOOK_NUMBERS[name].property, value] as const];
-    });
-    return changes.length === 0
-      ? preset
-      : { ...preset, material: { ...preset.material, ...Object.fromEntries(changes) } };
+      const { property, isOfComposition } = LOOK_NUMBERS[name];
+      if (value !== undefined) (isOfComposition ? composition : own)[property] = value;
+    }
+    return { ...preset, material: { ...preset.material, ...own, composition } };
   }
 
   /** Draws the model, if that is waited for. The previous drawing stays until it is ready. */

@@ -26,12 +26,16 @@ export function readPreset(text: string | null): HatchingPreset {
   throw new Error(`There is no preset "${name}". There are ${Object.keys(presets).join(', ')}.`);
 }
 
-/** The attributes that override a number of the preset: the property of the material, and its range in words. */
+/** The attributes that override a number of the preset: the property of the material or of its composition, and its range in words. */
 export const LOOK_NUMBERS = {
-  'color-fill': { property: 'colorFill', words: 'from 0, ink alone, to 1, the colours of the model' },
-  'color-hatching': { property: 'colorHatching', words: 'from 0 to 1' },
-  exposure: { property: 'exposureCompensation', words: 'above 0' },
-  vignette: { property: 'vignette', words: 'from 0 to 1' },
+  'color-fill': {
+    property: 'colorFill',
+    isOfComposition: false,
+    words: 'from 0, ink alone, to 1, the colours of the model',
+  },
+  'color-hatching': { property: 'colorHatching', isOfComposition: false, words: 'from 0 to 1' },
+  exposure: { property: 'exposureCompensation', isOfComposition: true, words: 'above 0' },
+  vignette: { property: 'vignette', isOfComposition: true, words: 'from 0 to 1' },
 } as const;
 
 export type LookNumber = keyof typeof LOOK_NUMBERS;

@@ -14,10 +14,15 @@ export interface HatchingOther extends UsedByTechniques {
   defaultFor?: Readonly<Partial<Record<TechniqueFamily, string>>>;
 }
 
+/** An object that has properties of its own: one that a material has as a property, or a material that extends `HatchingMaterial`. */
+export type HatchingOwner = 'composition' | 'perTriangle' | 'shadowMaterial';
+
 /** Members of every property. */
 export interface UsedByTechniques {
   /** Colours as 0xrrggbb, vectors as arrays. */
   default: unknown;
+  /** The object that has it; left out: `HatchingMaterial` itself. */
+  owner?: HatchingOwner;
   /** The techniques that read it. Default: all. */
   techniques?: readonly string[];
 }
@@ -34,8 +39,8 @@ export interface HatchingNumber extends UsedByTechniques {
   kind: 'number';
   uniform?: string;
   range?: NumberRange;
-  /** Whether `'auto'` is allowed beside a default that is a number. */
-  isAuto?: true;
+  /** Words that are allowed beside a default that is a number. */
+  words?: readonly string[];
   /** The default of families of techniques that have another. */
   defaultFor?: Readonly<Partial<Record<TechniqueFamily, number>>>;
 }

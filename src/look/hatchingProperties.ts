@@ -1,5 +1,5 @@
 // Written by `npm run properties` from tools/properties/table.ts. Change that, not this.
-import type { HatchingProperty, HatchingTechniqueData } from './HatchingProperty.js';
+import type { HatchingOwner, HatchingProperty, HatchingTechniqueData } from './HatchingProperty.js';
 
 /**
  * What a surface is drawn with, and how.
@@ -33,15 +33,6 @@ export type HatchingTechnique =
  * - `deformed`: object space, through which the surface moves; the paper by Suarez et al. to the letter.
  */
 export type StrokeAnchor = 'rest' | 'deformed';
-
-/**
- * What chooses the level of the tonal art map.
- * - `derivatives`: how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer
- *   than drawn, and wider where the surface is seen at a slant.
- * - `depth`: the depth of the fragment alone (section 3.4). Strokes are as wide as drawn where the surface is seen face
- *   on, and foreshortened like the surface elsewhere.
- */
-export type LevelRule = 'derivatives' | 'depth';
 
 /**
  * What strokes and lines take their direction from.
@@ -104,17 +95,8 @@ export type ShadowStrokes = 'tone' | 'cross' | 'reorient';
  * - `halfLambert`: (N·L / 2 + 1/2)², which reaches round to the side turned away.
  * - `phong`: Lambert plus a highlight (R·V)^shininess.
  * - `toon`: Lambert in `toneSteps` hard bands, each of them one tone.
- * - `shadow`: the share of the light that shadows take, and nothing else: for a ground that shows the shadows on it.
- *   With `paperOpacity: 0` and `transparent`, like three's ShadowMaterial, hatched.
  */
-export type ToneModel = 'lambert' | 'halfLambert' | 'phong' | 'toon' | 'shadow';
-
-/**
- * Which way the strokes of the tone model `'shadow'` run.
- * - `away`: in one layer, away from the light: a long stroke thins out along the shadow and ends with it.
- * - `strokes`: as those of any other surface, by all the properties of strokes.
- */
-export type ShadowDirection = 'away' | 'strokes';
+export type ToneModel = 'lambert' | 'halfLambert' | 'phong' | 'toon';
 
 /**
  * The normal that tone is computed from.
@@ -139,7 +121,23 @@ export type InkBlend = 'cover' | 'multiply';
  */
 export type DebugView = 'none' | 'blendFactors' | 'tone' | 'frames';
 
-/** Every property of `HatchingMaterial`, by name. */
+/**
+ * What chooses the level of the tonal art map.
+ * - `derivatives`: how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer
+ *   than drawn, and wider where the surface is seen at a slant.
+ * - `depth`: the depth of the fragment alone (section 3.4). Strokes are as wide as drawn where the surface is seen face
+ *   on, and foreshortened like the surface elsewhere.
+ */
+export type LevelRule = 'derivatives' | 'depth';
+
+/**
+ * Which way the strokes of shadows on a ground run.
+ * - `away`: in one layer, away from the light: a long stroke thins out along the shadow and ends with it.
+ * - `strokes`: as those of any other surface, by all the properties of strokes.
+ */
+export type ShadowDirection = 'away' | 'strokes';
+
+/** Every property by name: of `HatchingMaterial`, and of the owners that some rows name. */
 export const HATCHING_PROPERTIES = {
   tonalArtMap: {
     kind: 'tonalArtMap',
@@ -159,16 +157,7 @@ export const HATCHING_PROPERTIES = {
     defaultFor: { strokes: Math.PI / 2 },
     techniques: ['triangle', 'adjacency', 'hatching', 'dryMedia', 'engraving', 'pen', 'woodcut'],
   },
-  strokeOffset: { kind: 'vector2', default: [0, 0], techniques: ['triangle', 'adjacency'] },
   strokeAnchor: { kind: 'choice', default: 'rest', define: 'STROKE_ANCHOR', choices: ['rest', 'deformed'] },
-  crisp: { kind: 'switch', default: false, define: 'CRISP', techniques: ['triangle', 'adjacency'] },
-  levelRule: {
-    kind: 'choice',
-    default: 'derivatives',
-    define: 'LEVEL_RULE',
-    choices: ['derivatives', 'depth'],
-    techniques: ['triangle', 'adjacency'],
-  },
   screenSpaceShare: {
     kind: 'number',
     default: 1,
@@ -252,7 +241,6 @@ export const HATCHING_PROPERTIES = {
     range: { from: 0, to: 1 },
     techniques: ['engraving', 'pen', 'woodcut'],
   },
-  blendAngle: { kind: 'number', default: Math.PI / 2, range: { from: 0, to: Math.PI }, techniques: ['adjacency'] },
   shadowStrokes: { kind: 'choice', default: 'tone', define: 'SHADOW_STROKES', choices: ['tone', 'cross', 'reorient'] },
   paperGrain: {
     kind: 'number',
@@ -274,42 +262,7 @@ export const HATCHING_PROPERTIES = {
     kind: 'choice',
     default: 'lambert',
     define: 'TONE_MODEL',
-    choices: ['lambert', 'halfLambert', 'phong', 'toon', 'shadow'],
-  },
-  shadowTone: {
-    kind: 'number',
-    default: 1,
-    uniform: 'shadowTone',
-    defaultFor: { strokes: 0.5, lines: 0.5 },
-    range: { from: 0, to: 1 },
-  },
-  shadowFade: {
-    kind: 'number',
-    default: 0,
-    uniform: 'shadowFade',
-    defaultFor: { strokes: 0.65, lines: 0.65 },
-    range: { from: 0 },
-  },
-  shadowSoftness: {
-    kind: 'number',
-    default: 0,
-    uniform: 'shadowSoftness',
-    defaultFor: { strokes: 0.12, lines: 0.12 },
-    range: { from: 0 },
-  },
-  shadowDirection: {
-    kind: 'choice',
-    default: 'strokes',
-    define: 'SHADOW_DIRECTION',
-    choices: ['away', 'strokes'],
-    defaultFor: { perTriangle: 'strokes', strokes: 'away', lines: 'away' },
-  },
-  shadowSpacing: {
-    kind: 'number',
-    default: 1.4,
-    uniform: 'shadowSpacing',
-    range: { above: 0 },
-    techniques: ['engraving', 'pen', 'woodcut'],
+    choices: ['lambert', 'halfLambert', 'phong', 'toon'],
   },
   toneSteps: { kind: 'number', default: 4, uniform: 'toneSteps', range: { from: 2 } },
   shininess: { kind: 'number', default: 30, uniform: 'shininess', range: { from: 0 } },
@@ -320,8 +273,6 @@ export const HATCHING_PROPERTIES = {
     choices: ['face', 'smooth'],
     defaultFor: { perTriangle: 'face', strokes: 'smooth', lines: 'smooth' },
   },
-  exposure: { kind: 'number', default: 1, range: { above: 0 }, isAuto: true },
-  exposureCompensation: { kind: 'number', default: 1, range: { above: 0 } },
   toneCurve: { kind: 'curve', default: 'linear', defaultFor: { strokes: 'printed', lines: 'printed' } },
   reflectedLight: {
     kind: 'number',
@@ -341,40 +292,6 @@ export const HATCHING_PROPERTIES = {
   colorHatching: { kind: 'number', default: 0, uniform: 'colorHatching', range: { from: 0, to: 1 } },
   highlightThreshold: { kind: 'number', default: 0, range: { from: 0, to: 1 } },
   highlightSoftness: { kind: 'number', default: 0, range: { from: 0, to: 1 } },
-  depthFade: {
-    kind: 'number',
-    default: 'auto',
-    range: { from: 0, to: 1 },
-    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
-  },
-  depthFadeStart: {
-    kind: 'number',
-    default: 0,
-    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
-  },
-  depthFadeEnd: {
-    kind: 'number',
-    default: 1,
-    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
-  },
-  focus: {
-    kind: 'point',
-    default: null,
-    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
-  },
-  focusRadius: {
-    kind: 'number',
-    default: 1,
-    range: { above: 0 },
-    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
-  },
-  vignette: {
-    kind: 'number',
-    default: 0,
-    uniform: 'vignette',
-    range: { from: 0, to: 1 },
-    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
-  },
   normalMap: { kind: 'texture', default: null, uniform: 'normalMap', transform: 'normalMapTransform' },
   normalScale: { kind: 'vector2', default: [1, 1], uniform: 'normalScale' },
   bumpMap: { kind: 'texture', default: null, uniform: 'bumpMap', transform: 'bumpMapTransform' },
@@ -401,9 +318,120 @@ export const HATCHING_PROPERTIES = {
     define: 'DEBUG_VIEW',
     choices: ['none', 'blendFactors', 'tone', 'frames'],
   },
+  exposure: { kind: 'number', default: 1, owner: 'composition', range: { above: 0 }, words: ['fit', 'auto'] },
+  exposureCompensation: { kind: 'number', default: 1, owner: 'composition', range: { above: 0 } },
+  depthFade: {
+    kind: 'number',
+    default: 'auto',
+    owner: 'composition',
+    range: { from: 0, to: 1 },
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  depthFadeStart: {
+    kind: 'number',
+    default: 0,
+    owner: 'composition',
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  depthFadeEnd: {
+    kind: 'number',
+    default: 1,
+    owner: 'composition',
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  focus: {
+    kind: 'point',
+    default: null,
+    owner: 'composition',
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  focusRadius: {
+    kind: 'number',
+    default: 1,
+    owner: 'composition',
+    range: { above: 0 },
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  vignette: {
+    kind: 'number',
+    default: 0,
+    owner: 'composition',
+    range: { from: 0, to: 1 },
+    techniques: ['hatching', 'dryMedia', 'stipple', 'engraving', 'pen', 'woodcut'],
+  },
+  strokeOffset: { kind: 'vector2', default: [0, 0], owner: 'perTriangle', techniques: ['triangle', 'adjacency'] },
+  sharpInk: {
+    kind: 'switch',
+    default: false,
+    owner: 'perTriangle',
+    define: 'SHARP_INK',
+    techniques: ['triangle', 'adjacency'],
+  },
+  levelRule: {
+    kind: 'choice',
+    default: 'derivatives',
+    owner: 'perTriangle',
+    define: 'LEVEL_RULE',
+    choices: ['derivatives', 'depth'],
+    techniques: ['triangle', 'adjacency'],
+  },
+  blendAngle: {
+    kind: 'number',
+    default: Math.PI / 2,
+    owner: 'perTriangle',
+    range: { from: 0, to: Math.PI },
+    techniques: ['adjacency'],
+  },
+  shadowTone: {
+    kind: 'number',
+    default: 1,
+    owner: 'shadowMaterial',
+    uniform: 'shadowTone',
+    defaultFor: { strokes: 0.5, lines: 0.5 },
+    range: { from: 0, to: 1 },
+  },
+  shadowFade: {
+    kind: 'number',
+    default: 0,
+    owner: 'shadowMaterial',
+    uniform: 'shadowFade',
+    defaultFor: { strokes: 0.65, lines: 0.65 },
+    range: { from: 0 },
+  },
+  shadowSoftness: {
+    kind: 'number',
+    default: 0,
+    owner: 'shadowMaterial',
+    uniform: 'shadowSoftness',
+    defaultFor: { strokes: 0.12, lines: 0.12 },
+    range: { from: 0 },
+  },
+  shadowDirection: {
+    kind: 'choice',
+    default: 'strokes',
+    owner: 'shadowMaterial',
+    define: 'SHADOW_DIRECTION',
+    choices: ['away', 'strokes'],
+    defaultFor: { perTriangle: 'strokes', strokes: 'away', lines: 'away' },
+  },
+  shadowSpacing: {
+    kind: 'number',
+    default: 1.4,
+    owner: 'shadowMaterial',
+    uniform: 'shadowSpacing',
+    range: { above: 0 },
+    techniques: ['engraving', 'pen', 'woodcut'],
+  },
 } as const satisfies Record<string, HatchingProperty>;
 
 export type HatchingPropertyName = keyof typeof HATCHING_PROPERTIES;
+
+/** The names of the properties of an owner; `undefined` stands for `HatchingMaterial` itself. */
+export type PropertyNameOf<Owner extends HatchingOwner | undefined> = {
+  [Name in HatchingPropertyName]: OwnerOf<(typeof HATCHING_PROPERTIES)[Name]> extends Owner ? Name : never;
+}[HatchingPropertyName];
+
+type OwnerOf<Property> = Property extends { owner: infer Owner } ? Owner : undefined;
 
 /** The default of every property; colours as 0xrrggbb. */
 export const HATCHING_DEFAULTS = /* @__PURE__ */ defaults();

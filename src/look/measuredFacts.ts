@@ -1,8 +1,8 @@
 import type { HatchingFacts, HatchingMeasure } from './HatchingProperty.js';
 import { HATCHING_FACTS } from './hatchingFacts.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from './hatchingProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName, type PropertyNameOf } from './hatchingProperties.js';
 import { spelledOut } from './presetParameters.js';
-import { type HatchingLook, holds, isUsedBy, propertyOf, techniqueOf, valueIn } from './queries.js';
+import { type HatchingLook, hasOwner, holds, isUsedBy, propertyOf, techniqueOf, valueIn } from './queries.js';
 
 const NAMES = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 const factsOf = (name: HatchingPropertyName): HatchingFacts => HATCHING_FACTS[name] ?? {};
@@ -10,7 +10,7 @@ const factsOf = (name: HatchingPropertyName): HatchingFacts => HATCHING_FACTS[na
 /** Whether a property has an effect in a look: its technique reads it, and the properties it depends on allow it. */
 export function counts(given: HatchingLook, name: HatchingPropertyName): boolean {
   const look = spelledOut(given);
-  if (!isUsedBy(techniqueOf(look), propertyOf(name))) return false;
+  if (!hasOwner(look, propertyOf(name)) || !isUsedBy(techniqueOf(look), propertyOf(name))) return false;
   const { when = {} } = factsOf(name);
   return [when].flat().some((condition) => holds(look, condition));
 }
@@ -43,7 +43,8 @@ export function scaledSizes<Look extends HatchingLook>(given: Look, factor: numb
   const look = spelledOut(given);
   const sizes: Partial<Record<HatchingPropertyName, number>> = {};
   for (const name of NAMES) {
-    const value = look[name];
+    if (propertyOf(name).owner !== undefined) continue;
+    const value = look[name as PropertyNameOf<undefined>];
     const power = pixelPower(look, name);
     if (typeof value !== 'number' || power === 0) continue;
     const { range } = propertyOf(name) as { range?: { from?: number } };

@@ -32,9 +32,14 @@ const CHALKED = [
 
 /**
  * Values in ink alone: the colours of surfaces are hatched as tones, and the darkest still show their form; only hollows are darker.
- * Automatic exposure gives lights, half tones and darks.
+ * A fitted exposure gives lights, half tones and darks.
  */
-const VALUES = { exposure: 'auto', colorHatching: 0.8, colorFill: 0, hollowStrength: 1 } as const;
+const VALUES = {
+  composition: { exposure: 'fit' },
+  colorHatching: 0.8,
+  colorFill: 0,
+  hollowStrength: 1,
+} as const;
 
 const BLACK = '#1c1a17';
 const WHITE = '#f7f3e8';
@@ -123,8 +128,6 @@ const makeMaterials = () =>
       irregularity: 0.6,
       toneCurve: CUT,
       reflectedLight: 0.15,
-      // Sharp edges that still end each line in a point.
-      shadowSoftness: 0.05,
       ...VALUES,
       ink: '#120e0a',
       paper: '#ece0c4',
@@ -202,6 +205,13 @@ const makeMaterials = () =>
 
 /** The material parameters of every preset, with ink and paper. */
 export const PRESET_MATERIALS = /* @__PURE__ */ frozen(/* @__PURE__ */ makeMaterials());
+
+/** What presets say of their shadows on a ground: parameters of `HatchingShadowMaterial`. */
+export const PRESET_SHADOWS: Readonly<Partial<Record<PresetName, { readonly shadowSoftness: number }>>> =
+  /* @__PURE__ */ frozen({
+    // Sharp edges that still end each line in a point.
+    woodcut: { shadowSoftness: 0.05 },
+  });
 
 /** The names of the presets. */
 export type PresetName = keyof typeof PRESET_MATERIALS;

@@ -8,8 +8,8 @@ import {
 } from './hatchingProperties.js';
 import { PRESET_MATERIALS, type PresetName } from './presetMaterials.js';
 
-/** Values of properties, by name. */
-type Values = Readonly<Partial<Record<HatchingPropertyName, unknown>>>;
+/** Parameters of a material, by name. */
+type Values = Readonly<Partial<Record<HatchingPropertyName | 'composition', unknown>>>;
 
 /** The parameters of each preset, computed for its first material. */
 const resolved = /* @__PURE__ */ new Map<PresetName, Values>();
@@ -24,7 +24,23 @@ export function spelledOut<Parameters extends { readonly preset?: PresetName | u
 ): Parameters {
   if (!Object.hasOwn(given, 'preset')) return given;
   const { preset, ...own } = given;
-  return (preset === undefined ? own : { ...presetParameters(preset), ...own }) as Parameters;
+  return (preset === undefined ? own : mergedParameters(presetParameters(preset), own)) as Parameters;
+}
+
+/**
+ * Parameters overridden by others one by one, and so are the numbers of a composition that is given as a plain object. An instance replaces
+ * it as a whole.
+ */
+export function mergedParameters<Base extends object, Own extends object>(base: Base, own: Own): Base & Own {
+  const [{ composition: ofBase }, { composition: ofOwn }] = [base, own].map(Object) as WithComposition[];
+  const merged = { ...base, ...own };
+  return ofBase && ofOwn && !ofOwn.isHatchingComposition && !ofBase.isHatchingComposition
+    ? { ...merged, composition: { ...ofBase, ...ofOwn } }
+    : merged;
+}
+
+interface WithComposition {
+  readonly composition?: { readonly isHatchingComposition?: boolean };
 }
 
 /**
@@ -70,7 +86,10 @@ export function plainValue(value: unknown): unknown {
 export const familyOf = (technique: HatchingTechnique): TechniqueFamily => HATCHING_TECHNIQUES[technique].family;
 
 /** The default of a property under a technique. Colours are numbers, vectors arrays. */
-export function defaultOf(name: HatchingPropertyName, technique: HatchingTechnique): unknown {
+export function defaultOf(
+  name: HatchingPropertyName,
+  technique: HatchingTechnique = HATCHING_DEFAULTS.technique,
+): unknown {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
   const ofTechnique = 'defaultFor' in property ? property.defaultFor?.[familyOf(technique)] : undefined;
   return ofTechnique ?? HATCHING_DEFAULTS[name];

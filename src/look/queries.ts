@@ -5,6 +5,7 @@ import {
   HATCHING_TECHNIQUES,
   type HatchingPropertyName,
   type HatchingTechnique,
+  type PropertyNameOf,
   type ShadowStrokes,
   type StrokeDirection,
   type StrokeLayers,
@@ -16,8 +17,12 @@ import { defaultOf, familyOf, spelledOut } from './presetParameters.js';
  * A `HatchingMaterial` or parameters of one. Members left out have the value of the named preset, or their default. The functions of this
  * file derive facts about a look from the tables of properties and techniques; `measuredFacts.ts` has those about measures.
  */
-export type HatchingLook = { readonly [Name in HatchingPropertyName]?: unknown } & {
+export type HatchingLook = { readonly [Name in PropertyNameOf<undefined | 'shadowMaterial'>]?: unknown } & {
   readonly preset?: PresetName | undefined;
+  readonly composition?: { readonly [Name in PropertyNameOf<'composition'>]?: unknown } | undefined;
+  readonly perTriangle?: { readonly [Name in PropertyNameOf<'perTriangle'>]?: unknown } | undefined;
+  /** Whether it is the look of a `HatchingShadowMaterial`. */
+  readonly isHatchingShadowMaterial?: boolean;
 };
 
 /** The entry of a property in the table. */
@@ -56,17 +61,21 @@ export function usesThresholds(given: HatchingLook): boolean {
   const look = spelledOut(given);
   const technique = techniqueOf(look);
   if (HATCHING_TECHNIQUES[technique].map === 'thresholdMap') return true;
-  return look.crisp === true && isUsedBy(technique, HATCHING_PROPERTIES.crisp);
+  return look.perTriangle?.sharpInk === true && isUsedBy(technique, HATCHING_PROPERTIES.sharpInk);
 }
 
 /** Whether a look needs geometries prepared with triangle adjacency. */
 export const needsAdjacency = (look: HatchingLook): boolean =>
   familyOf(techniqueOf(spelledOut(look))) === 'perTriangle';
 
+/** Whether an owner of properties is a part of a look, as the numbers of shadows are of a `HatchingShadowMaterial` alone. */
+export const hasOwner = (look: HatchingLook, { owner }: HatchingProperty): boolean =>
+  owner !== 'shadowMaterial' || look.isHatchingShadowMaterial === true;
+
 /** Whether a look shows shadows alone, in one layer of strokes that run away from the light. Allocates nothing. */
 export function runsAway(given: HatchingLook): boolean {
   const look = spelledOut(given);
-  return look.toneModel === 'shadow' && valueIn(look, 'shadowDirection') === 'away';
+  return look.isHatchingShadowMaterial === true && valueIn(look, 'shadowDirection') === 'away';
 }
 
 /** The option `form` of `prepareHatchingGeometry` that a look needs. Allocates nothing. */
@@ -80,9 +89,29 @@ export function formOf(given: HatchingLook): boolean | 'auto' {
 /** Whether lines or strokes of a look follow the form, which needs geometries prepared with `form`. Allocates nothing. */
 export const followsForm = (look: HatchingLook): boolean => formOf(look) !== false;
 
+/** The value of a property in a look, wherever it lies; undefined if the look does not set it. Allocates nothing. */
+export function givenValue(look: HatchingLook, name: HatchingPropertyName): unknown {
+  const { owner } = propertyOf(name);
+  const holder = owner === 'composition' || owner === 'perTriangle' ? look[owner] : look;
+  return (holder as Readonly<Partial<Record<HatchingPropertyName, unknown>>> | undefined)?.[name];
+}
+
+/** Values of properties by name as a look, in which those of a composition and of the paper's techniques lie in objects of their own. */
+export function parametersOf(values: Readonly<Record<string, unknown>>): Record<string, unknown> {
+  const parameters: Record<string, unknown> = {};
+  const table: Readonly<Record<string, HatchingProperty>> = HATCHING_PROPERTIES;
+  for (const [name, value] of Object.entries(values)) {
+    const owner = Object.hasOwn(table, name) ? table[name].owner : undefined;
+    if (owner === 'composition' || owner === 'perTriangle')
+      parameters[owner] = { ...Object(parameters[owner]), [name]: value };
+    else parameters[name] = value;
+  }
+  return parameters;
+}
+
 /** The effective value of a property in a look. */
 export function valueIn(look: HatchingLook, name: HatchingPropertyName): unknown {
-  const value = look[name];
+  const value = givenValue(look, name);
   const technique = techniqueOf(look);
   const property = propertyOf(name);
   const isLeftToTechnique = value === 'auto' && 'defaultFor' in property;

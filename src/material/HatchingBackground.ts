@@ -78,7 +78,7 @@ const viewport = /* @__PURE__ */ new Vector4();
  * is added.
  *
  *     const { materials } = await applyHatching(model, 'engraving');
- *     scene.add(new HatchingBackground(materials[0].extent, { ink: '#1c1a17' }));
+ *     scene.add(new HatchingBackground(composition.extent, { ink: '#1c1a17' }));
  *
  * The direction of the light is the mean of all lights of the scene, projected onto the sheet. Every property may be changed at any
  * time, and builds no program. It casts no shadow, and is left out of raycasts and bounds.

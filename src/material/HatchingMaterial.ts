@@ -16,12 +16,18 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type PropertyNameOf,
+} from '../look/hatchingProperties.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { defaultOf, spelledOut } from '../look/presetParameters.js';
 import { followsForm, needsMap, usesThresholds } from '../look/queries.js';
+import { checkChoice } from './checkProperty.js';
 import type { HatchingMaterialParameters } from './checkValues.js';
-import { checkChoice, checkValues, warnOfUnused } from './checkValues.js';
+import { checkValues, warnOfUnused } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/canDeform.js';
 import { silence } from './diagnostics/warn.js';
 import { isFitted, writeFit } from './exposure/ToneFit.js';
@@ -30,6 +36,9 @@ import { takesWeight, writeFading, writeImportance } from './fading/fading.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import { isFormed } from './geometry/formGeometry.js';
+import { composedWith, HatchingComposition } from './groups/HatchingComposition.js';
+import type { HatchingCompositionOptions, PerTriangleOptions } from './groups/ownedProperties.js';
+import { PerTriangle } from './groups/PerTriangle.js';
 import { type HatchingMaterialJSON, propertiesToJSON, setFromJSON } from './hatchingJSON.js';
 import {
   createHatchingUniforms,
@@ -46,7 +55,7 @@ import { fetchParts, fetchPartsOf, PartInUse } from './parts/parts.js';
 import { drawnPart, writePartUniforms } from './pictureOffset.js';
 import { type ProgramFacts, programDefines, programSwitches, writeDefines } from './programDefines.js';
 import { withVectors } from './propertyValues.js';
-import type { Shaders } from './shaders/hatchingShaders.js';
+import type { ShaderFiles, Shaders } from './shaders/hatchingShaders.js';
 import { plainShaders } from './shaders/plainShaders.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 import { defineRigid, keepHooks, RendererKind } from './three/hooks.js';
@@ -81,6 +90,8 @@ export class HatchingMaterial extends PropertyFields {
   private readonly chosen: { [Name in HatchingPropertyName]?: string | boolean | undefined } = {
     technique: HATCHING_DEFAULTS.technique,
   };
+  private composed = new HatchingComposition();
+  private readonly ofTriangles = new PerTriangle(() => this.writeProgram());
   /** The tone curve that was set; undefined means the technique's default. */
   private curve: ToneCurve | undefined;
   /** The shaders in use. They are assigned only when they change, so that a user may replace them. */
@@ -140,6 +151,28 @@ export class HatchingMaterial extends PropertyFields {
     return fetchParts();
   }
 
+  /** Whether the material shows the shadows that fall on it, and nothing else, as `HatchingShadowMaterial` does. */
+  get isHatchingShadowMaterial(): boolean {
+    return false;
+  }
+
+  override get composition(): HatchingComposition {
+    return this.composed;
+  }
+
+  override set composition(value: HatchingComposition | Partial<HatchingCompositionOptions>) {
+    this.composed = composedWith(this.composed, value);
+    this.writeProgram();
+  }
+
+  override get perTriangle(): PerTriangle {
+    return this.ofTriangles;
+  }
+
+  override set perTriangle(value: Partial<PerTriangleOptions>) {
+    this.ofTriangles.setValues(value);
+  }
+
   override get toneCurve(): ToneCurve {
     return this.curve ?? (defaultOf('toneCurve', this.technique) as ToneCurve);
   }
@@ -197,7 +230,7 @@ export class HatchingMaterial extends PropertyFields {
 
   /** Creates a material from the JSON that `toJSON` wrote, with any version of three.js. See the method of the same name. */
   static fromJSON(json: HatchingMaterialJSON, textures: Readonly<Record<string, Texture>> = {}): HatchingMaterial {
-    return new HatchingMaterial().fromJSON(json, textures);
+    return new this().fromJSON(json, textures);
   }
 
   /**
@@ -275,7 +308,11 @@ export class HatchingMaterial extends PropertyFields {
       this.writeUniforms(renderer, camera);
       writePartUniforms(camera, drawn, this.uniforms);
       const surface = this.inUse.part?.surface;
-      if (surface && isFitted(this)) writeFit(surface.sceneExposure(renderer, scene, camera), this, this.uniforms);
+      if (surface && isFitted(this)) {
+        const { composition } = this;
+        const fit = composition.keptFit ?? surface.sceneExposure(renderer, scene, camera);
+        writeFit(composition.kept(fit), this, this.uniforms);
+      }
       if (surface) this.use('hasEnvironment', surface.bindEnvironment(renderer, scene, camera, this.uniforms));
     }
     if (writeImportance(object, this.takesWeight, this.uniforms)) this.ofMesh.want(renderer);
@@ -293,6 +330,7 @@ export class HatchingMaterial extends PropertyFields {
     this.writeProgram();
   }
 
+  /** Copies the properties of another material. Textures, the tonal art map and the composition are shared. */
   override copy(source: this): this {
     // ShaderMaterial.copy would clone every texture among the uniforms, and each clone would be uploaded again.
     Material.prototype.copy.call(this, source);
@@ -302,6 +340,8 @@ export class HatchingMaterial extends PropertyFields {
     this.met.hasEnvironment = source.met.hasEnvironment;
     this.defines = { ...source.defines };
     for (const name of propertyNames) this.copyProperty(name, source);
+    this.composed = source.composed;
+    this.ofTriangles.setValues(source.ofTriangles);
     this.copyNumbers(source);
     this.writeProgram();
     this.writeUniforms();
@@ -331,11 +371,19 @@ export class HatchingMaterial extends PropertyFields {
     this.writeProgram();
   }
 
+  /** The files of the program beyond those of every material. @param ofPart those of its technique and medium @internal */
+  protected shaderFiles(ofPart: ShaderFiles): ShaderFiles {
+    return ofPart;
+  }
+
   private copyProperty(name: HatchingPropertyName, source: this): void {
-    switch (propertyOf(name).kind) {
+    const { kind, owner } = propertyOf(name);
+    if (owner === 'composition' || owner === 'perTriangle') return;
+    const own = name as PropertyNameOf<undefined>;
+    switch (kind) {
       case 'color':
       case 'vector2':
-        (this[name] as Color).copy(source[name] as Color);
+        (this[own] as Color).copy(source[own] as Color);
         break;
       case 'choice':
       case 'switch':
@@ -346,10 +394,9 @@ export class HatchingMaterial extends PropertyFields {
         this.curve = source.curve;
         break;
       case 'number':
-      case 'point':
         break; // copyNumbers
       default:
-        Object.assign(this, { [name]: source[name] });
+        Object.assign(this, { [own]: source[own] });
     }
   }
 
@@ -388,7 +435,7 @@ export class HatchingMaterial extends PropertyFields {
     }
     const { surface, files } = part;
     if (this.announced.some(surface.environmentAround)) this.met.hasEnvironment = true;
-    const shaders = surface.hatchingShaders(this.technique, files);
+    const shaders = surface.hatchingShaders(this.technique, this.shaderFiles(files));
     let hasChanged = this.shaders !== shaders;
     if (hasChanged) {
       this.shaders = shaders;

@@ -1,11 +1,9 @@
 // Written by `npm run properties` from tools/properties/table.ts. Change that, not this.
-import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2, Vector3 } from 'three';
+import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2 } from 'three';
 import type {
   DebugView,
   HatchingTechnique,
   InkBlend,
-  LevelRule,
-  ShadowDirection,
   ShadowStrokes,
   StrokeAnchor,
   StrokeDirection,
@@ -14,7 +12,10 @@ import type {
   ToneNormal,
 } from '../look/hatchingProperties.js';
 import type { ToneCurve } from './fitToneCurve.js';
-import type { HatchingMap, Vector2Like, Vector3Like } from './propertyValues.js';
+import type { HatchingComposition } from './groups/HatchingComposition.js';
+import type { HatchingCompositionOptions, PerTriangleOptions } from './groups/ownedProperties.js';
+import type { PerTriangle } from './groups/PerTriangle.js';
+import type { HatchingMap, Vector2Like } from './propertyValues.js';
 
 /** The parameters of a HatchingMaterial, besides those of three's own `Material`. */
 export interface HatchingMaterialOptions {
@@ -40,21 +41,8 @@ export interface HatchingMaterialOptions {
    * For all but `'stipple'`, with `direction` `'auto'` or `'light'` or `'towardsLight'` or `'sheet'`.
    */
   strokeAngle: number;
-  /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
-  strokeOffset: Vector2Like;
   /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
   strokeAnchor: StrokeAnchor;
-  /**
-   * Blends thresholds of ink instead of the greys of strokes, so that strokes stay black and white. `false` is the way
-   * of the paper by Suarez et al. Default `false`. Only `'triangle'`, `'adjacency'`. Another value builds another
-   * program.
-   */
-  crisp: boolean;
-  /**
-   * What chooses the level of the map. `hatching` and `dryMedia` always go by depth. Default `'derivatives'`. Only
-   * `'triangle'`, `'adjacency'`. Another value builds another program.
-   */
-  levelRule: LevelRule;
   /**
    * What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping.
    * In between, strokes grow less than the object does as the camera comes nearer. Strokes and dots have a program of
@@ -66,13 +54,13 @@ export interface HatchingMaterialOptions {
    * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
    * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'hatching'`,
    * `'dryMedia'`, `'stipple'` `1.5`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'dryMedia'`, `'stipple'`, with
-   * `crisp` `true`, or `levelRule` `'depth'`.
+   * `sharpInk` `true`, or `levelRule` `'depth'`.
    */
   strokeWidth: number | null;
   /**
    * Width over which ink fades at the edge of a stroke or a dot. 0 is hard. Dry media have `softness` instead. Pixels
    * of the drawing buffer in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'stipple'`, with
-   * `crisp` `true`.
+   * `sharpInk` `true`.
    */
   edgePixels: number;
   /**
@@ -128,12 +116,6 @@ export interface HatchingMaterialOptions {
    */
   irregularity: number;
   /**
-   * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
-   * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
-   * `'adjacency'`.
-   */
-  blendAngle: number;
-  /**
    * What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all. Default
    * `'tone'`. Another value builds another program.
    */
@@ -154,38 +136,6 @@ export interface HatchingMaterialOptions {
   smudge: number;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
-  /**
-   * How dark the tone model `'shadow'` prints a full shadow where it touches what casts it, as a factor on the tone
-   * after the tone curve. At one half a shadow on the ground is lighter than the darks of the body. Tone in [0, 1].
-   * Default `1`, for all but `'triangle'`, `'adjacency'` `0.5`. Only with `toneModel` `'shadow'`.
-   */
-  shadowTone: number;
-  /**
-   * How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it:
-   * the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1:
-   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for all but
-   * `'triangle'`, `'adjacency'` `0.65`. Only with `toneModel` `'shadow'`.
-   */
-  shadowFade: number;
-  /**
-   * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them: the
-   * width of a round lamp as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius`
-   * says. Factor in [0, ∞). Default `0`, for all but `'triangle'`, `'adjacency'` `0.12`. Only with `toneModel`
-   * `'shadow'`.
-   */
-  shadowSoftness: number;
-  /**
-   * Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again. Default
-   * `'strokes'`, for all but `'triangle'`, `'adjacency'` `'away'`. Only with `toneModel` `'shadow'`. Another value
-   * builds another program.
-   */
-  shadowDirection: ShadowDirection | 'auto';
-  /**
-   * How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the
-   * ground is calmer than the body. Factor in (0, ∞). Default `1.4`. Only `'engraving'`, `'pen'`, `'woodcut'`, with
-   * `toneModel` `'shadow'`.
-   */
-  shadowSpacing: number;
   /** Number of bands of the tone model `'toon'`. Count in [2, ∞). Default `4`. Only with `toneModel` `'toon'`. */
   toneSteps: number;
   /**
@@ -198,18 +148,6 @@ export interface HatchingMaterialOptions {
    * Default `'face'`, for all but `'triangle'`, `'adjacency'` `'smooth'`. Another value builds another program.
    */
   toneNormal: ToneNormal | 'auto';
-  /**
-   * What the light is multiplied by before it becomes tone. `'auto'` fits it to the lights and surfaces of the scene,
-   * so that lights, half tones and darks are those of a sphere in a single light of intensity π; it stays the same
-   * while only the camera moves. With a `toneCurve` of points that no preset has, `'auto'` is 1. Factor in (0, ∞), or
-   * `'auto'`. Default `1`. Only with `toneModel` `'lambert'` or `'halfLambert'` or `'phong'` or `'toon'`.
-   */
-  exposure: number | 'auto';
-  /**
-   * What the fitted exposure is multiplied by: above 1 for a lighter picture, below for a darker one. Factor in (0, ∞).
-   * Default `1`. Only with `exposure` `'auto'` and `toneModel` `'lambert'` or `'halfLambert'` or `'phong'` or `'toon'`.
-   */
-  exposureCompensation: number;
   /**
    * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
    * covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that
@@ -252,40 +190,6 @@ export interface HatchingMaterialOptions {
    * 1]. Default `0`. Only with `highlightThreshold` other than `0`.
    */
   highlightSoftness: number;
-  /**
-   * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
-   * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`.
-   * `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the
-   * sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`.
-   * For all but `'triangle'`, `'adjacency'`.
-   */
-  depthFade: number | 'auto';
-  /**
-   * Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene. Default
-   * `0`. For all but `'triangle'`, `'adjacency'`, with `depthFade` other than `0`.
-   */
-  depthFadeStart: number;
-  /**
-   * Where fading ends, in the same units. Depths of the scene. Default `1`. For all but `'triangle'`, `'adjacency'`,
-   * with `depthFade` other than `0`.
-   */
-  depthFadeEnd: number;
-  /**
-   * Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an
-   * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. For all
-   * but `'triangle'`, `'adjacency'`.
-   */
-  focus: Vector3Like | null;
-  /**
-   * How far around `focus` all is drawn. At two and a half times this distance nothing is left. Units of the world in
-   * (0, ∞). Default `1`. For all but `'triangle'`, `'adjacency'`, with `focus` other than `null`.
-   */
-  focusRadius: number;
-  /**
-   * How much the drawing falls off towards the rim of the sheet, in an oval: at 1 nothing is left at the middle of each
-   * side. Share in [0, 1]. Default `0`. For all but `'triangle'`, `'adjacency'`.
-   */
-  vignette: number;
   /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
    * normals stay those of the triangles. Default `null`. Only with `toneNormal` `'smooth'`.
@@ -353,6 +257,17 @@ export interface HatchingMaterialOptions {
    * another program.
    */
   debugView: DebugView;
+  /**
+   * What counts for a whole picture: exposure, depth fade, focus and vignette. Materials may share one, as the
+   * materials of a scene that `applyHatching` hatched do; a new material has its own. A plain object sets numbers of
+   * the one that the material has.
+   */
+  composition: HatchingComposition | Partial<HatchingCompositionOptions>;
+  /**
+   * What only the techniques of the paper by Suarez et al. read. Set them one by one, or some of them by a plain
+   * object.
+   */
+  perTriangle: Partial<PerTriangleOptions>;
 }
 
 /** The properties of `HatchingMaterial`. */
@@ -379,21 +294,8 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * For all but `'stipple'`, with `direction` `'auto'` or `'light'` or `'towardsLight'` or `'sheet'`.
    */
   strokeAngle: number;
-  /** Shift of the strokes along T and B. Tiles. Default `(0, 0)`. Only `'triangle'`, `'adjacency'`. */
-  readonly strokeOffset: Vector2;
   /** What the strokes of a mesh that deforms are fixed to. Default `'rest'`. Another value builds another program. */
   strokeAnchor: StrokeAnchor;
-  /**
-   * Blends thresholds of ink instead of the greys of strokes, so that strokes stay black and white. `false` is the way
-   * of the paper by Suarez et al. Default `false`. Only `'triangle'`, `'adjacency'`. Another value builds another
-   * program.
-   */
-  crisp: boolean;
-  /**
-   * What chooses the level of the map. `hatching` and `dryMedia` always go by depth. Default `'derivatives'`. Only
-   * `'triangle'`, `'adjacency'`. Another value builds another program.
-   */
-  levelRule: LevelRule;
   /**
    * What strokes are sized on: 0 the object, by `tilesPerObjectUnit`; 1 the screen, by `strokeWidth`, without popping.
    * In between, strokes grow less than the object does as the camera comes nearer. Strokes and dots have a program of
@@ -405,13 +307,13 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
    * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'hatching'`,
    * `'dryMedia'`, `'stipple'` `1.5`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'dryMedia'`, `'stipple'`, with
-   * `crisp` `true`, or `levelRule` `'depth'`.
+   * `sharpInk` `true`, or `levelRule` `'depth'`.
    */
   strokeWidth: number | null;
   /**
    * Width over which ink fades at the edge of a stroke or a dot. 0 is hard. Dry media have `softness` instead. Pixels
    * of the drawing buffer in [0, ∞). Default `1`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'stipple'`, with
-   * `crisp` `true`.
+   * `sharpInk` `true`.
    */
   edgePixels: number;
   /**
@@ -468,12 +370,6 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   irregularity: number;
   /**
-   * The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing
-   * blends. The default is the rule of the paper by Suarez et al. Radians in [0, π]. Default `Math.PI / 2`. Only
-   * `'adjacency'`.
-   */
-  blendAngle: number;
-  /**
    * What cast shadows do to the strokes of a mesh with `receiveShadow`. The tone is the same with all. Default
    * `'tone'`. Another value builds another program.
    */
@@ -494,39 +390,6 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   smudge: number;
   /** How light becomes tone. Default `'lambert'`. Another value builds another program. */
   toneModel: ToneModel;
-  /**
-   * How dark the tone model `'shadow'` prints a full shadow where it touches what casts it, as a factor on the tone
-   * after the tone curve. At one half a shadow on the ground is lighter than the darks of the body. Tone in [0, 1].
-   * Default `1`, for all but `'triangle'`, `'adjacency'` `0.5`. Only with `toneModel` `'shadow'`.
-   */
-  shadowTone: number;
-  /**
-   * How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it:
-   * the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1:
-   * nothing is left at a distance of one width; 2: at half of one. Factor in [0, ∞). Default `0`, for all but
-   * `'triangle'`, `'adjacency'` `0.65`. Only with `toneModel` `'shadow'`.
-   */
-  shadowFade: number;
-  /**
-   * How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them: the
-   * width of a round lamp as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius`
-   * says. Factor in [0, ∞). Default `0`, for all but `'triangle'`, `'adjacency'` `0.12`. Only with `toneModel`
-   * `'shadow'`.
-   */
-  shadowSoftness: number;
-  /**
-   * Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again. Default
-   * `'strokes'`, for all but `'triangle'`, `'adjacency'` `'away'`. Only with `toneModel` `'shadow'`. Another value
-   * builds another program.
-   */
-  get shadowDirection(): ShadowDirection;
-  set shadowDirection(value: ShadowDirection | 'auto');
-  /**
-   * How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the
-   * ground is calmer than the body. Factor in (0, ∞). Default `1.4`. Only `'engraving'`, `'pen'`, `'woodcut'`, with
-   * `toneModel` `'shadow'`.
-   */
-  shadowSpacing: number;
   /** Number of bands of the tone model `'toon'`. Count in [2, ∞). Default `4`. Only with `toneModel` `'toon'`. */
   toneSteps: number;
   /**
@@ -540,18 +403,6 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   get toneNormal(): ToneNormal;
   set toneNormal(value: ToneNormal | 'auto');
-  /**
-   * What the light is multiplied by before it becomes tone. `'auto'` fits it to the lights and surfaces of the scene,
-   * so that lights, half tones and darks are those of a sphere in a single light of intensity π; it stays the same
-   * while only the camera moves. With a `toneCurve` of points that no preset has, `'auto'` is 1. Factor in (0, ∞), or
-   * `'auto'`. Default `1`. Only with `toneModel` `'lambert'` or `'halfLambert'` or `'phong'` or `'toon'`.
-   */
-  exposure: number | 'auto';
-  /**
-   * What the fitted exposure is multiplied by: above 1 for a lighter picture, below for a darker one. Factor in (0, ∞).
-   * Default `1`. Only with `exposure` `'auto'` and `toneModel` `'lambert'` or `'halfLambert'` or `'phong'` or `'toon'`.
-   */
-  exposureCompensation: number;
   /**
    * From the tone of the light to the tone that is printed. `'linear'`: the same. `'perceptual'`: half the paper is
    * covered where the light looks half as light as white (CIE lightness), which opens up the shade. `'printed'`: that
@@ -594,41 +445,6 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * 1]. Default `0`. Only with `highlightThreshold` other than `0`.
    */
   highlightSoftness: number;
-  /**
-   * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
-   * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`.
-   * `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the
-   * sheet's shorter side at its middle, such as streets and interiors; 0 elsewhere. Share in [0, 1]. Default `'auto'`.
-   * For all but `'triangle'`, `'adjacency'`.
-   */
-  depthFade: number | 'auto';
-  /**
-   * Where fading begins: 0 is the nearest place of the scene that is seen, 1 the farthest. Depths of the scene. Default
-   * `0`. For all but `'triangle'`, `'adjacency'`, with `depthFade` other than `0`.
-   */
-  depthFadeStart: number;
-  /**
-   * Where fading ends, in the same units. Depths of the scene. Default `1`. For all but `'triangle'`, `'adjacency'`,
-   * with `depthFade` other than `0`.
-   */
-  depthFadeEnd: number;
-  /**
-   * Point of the scene around which all is drawn. Beyond `focusRadius` tone, lines and outlines fall off, with an
-   * uneven edge, until only paper is left. `null`: all is drawn everywhere. Units of the world. Default `null`. For all
-   * but `'triangle'`, `'adjacency'`.
-   */
-  get focus(): Vector3 | null;
-  set focus(value: Vector3Like | null);
-  /**
-   * How far around `focus` all is drawn. At two and a half times this distance nothing is left. Units of the world in
-   * (0, ∞). Default `1`. For all but `'triangle'`, `'adjacency'`, with `focus` other than `null`.
-   */
-  focusRadius: number;
-  /**
-   * How much the drawing falls off towards the rim of the sheet, in an oval: at 1 nothing is left at the middle of each
-   * side. Share in [0, 1]. Default `0`. For all but `'triangle'`, `'adjacency'`.
-   */
-  vignette: number;
   /**
    * Normal map, as in three's own materials (`normalMapType` says of which space). Turns the smooth tone normal; face
    * normals stay those of the triangles. Default `null`. Only with `toneNormal` `'smooth'`.
@@ -696,4 +512,17 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * another program.
    */
   debugView: DebugView;
+  /**
+   * What counts for a whole picture: exposure, depth fade, focus and vignette. Materials may share one, as the
+   * materials of a scene that `applyHatching` hatched do; a new material has its own. A plain object sets numbers of
+   * the one that the material has.
+   */
+  get composition(): HatchingComposition;
+  set composition(value: HatchingComposition | Partial<HatchingCompositionOptions>);
+  /**
+   * What only the techniques of the paper by Suarez et al. read. Set them one by one, or some of them by a plain
+   * object.
+   */
+  get perTriangle(): PerTriangle;
+  set perTriangle(value: Partial<PerTriangleOptions>);
 }

@@ -1,6 +1,6 @@
-import { ShaderMaterial, type Vector3 } from 'three';
+import { ShaderMaterial } from 'three';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import type { SceneExtent } from './fading/SceneExtent.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { accessorOf, fieldOf } from './propertyAccessors.js';
 import type { HatchingMap } from './propertyValues.js';
@@ -11,18 +11,12 @@ import type { HatchingMap } from './propertyValues.js';
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
 export abstract class PropertyFields extends ShaderMaterial {
-  /**
-   * The extent of the scene, relative to which `depthFade` measures depth; `applyHatching` sets it. If null, depths are in world units
-   * from the eye. Default: null.
-   */
-  extent: SceneExtent | null = null;
-  protected focused: Vector3 | null = null;
   protected chosenMap: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
   /**
    * The numbers that were set; the others have the technique's defaults. They are in a Map, because V8 allocates a number whenever it
    * is read from a field by a computed name, which here would be every frame.
    */
-  protected numbers = new Map<HatchingPropertyName, number | 'auto' | null>();
+  protected numbers = new Map<HatchingPropertyName, number | 'auto' | 'fit' | null>();
 
   constructor() {
     super();
@@ -35,14 +29,14 @@ export abstract class PropertyFields extends ShaderMaterial {
   /** @throws Error if `value` is none of the property's choices */
   protected abstract choose(name: HatchingPropertyName, value: string | boolean): void;
 
-  /** Copies the numbers that were set, so that the others keep following the technique. The extent is shared. */
-  protected copyNumbers({ numbers, focused, extent }: PropertyFields): void {
+  /** Copies the numbers that were set, so that the others keep following the technique. */
+  protected copyNumbers({ numbers }: PropertyFields): void {
     this.numbers = new Map(numbers);
-    this.focused = focused?.clone() ?? null;
-    this.extent = extent;
   }
 
   private define(name: HatchingPropertyName): void {
+    const { owner }: HatchingProperty = HATCHING_PROPERTIES[name];
+    if (owner !== undefined) return;
     const field = fieldOf(name);
     // All materials have the same accessors, except that of the tone curve, which the material defines.
     if (field !== undefined) Object.assign(this, { [name]: field });

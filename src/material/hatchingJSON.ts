@@ -1,6 +1,9 @@
 import { Material, Plane, type Texture, Vector2, Vector3 } from 'three';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import type { HatchingProperty } from '../look/HatchingProperty.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName, type PropertyNameOf } from '../look/hatchingProperties.js';
 import { isDefault, plainValue } from '../look/presetParameters.js';
+import { givenValue, hasOwner } from '../look/queries.js';
+import { ownedEntries } from './checkProperty.js';
 import type { HatchingMaterialParameters } from './checkValues.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { isTonalArtMap } from './propertyValues.js';
@@ -14,11 +17,14 @@ export type HatchingMaterialJSON = ReturnType<Material['toJSON']>;
  */
 export function propertiesToJSON(material: HatchingMaterialProperties): Record<string, unknown> {
   const json: Record<string, unknown> = {};
-  for (const [name, { kind }] of Object.entries(HATCHING_PROPERTIES)) {
-    if (kind === 'texture') continue;
-    const value = plainValue(material[name as HatchingPropertyName]);
-    if (isTonalArtMap(value)) continue;
-    if (!isDefault(name as HatchingPropertyName, value, material.technique)) json[name] = value;
+  for (const [key, property] of Object.entries<HatchingProperty>(HATCHING_PROPERTIES)) {
+    const name = key as HatchingPropertyName;
+    if (property.kind === 'texture' || !hasOwner(material, property)) continue;
+    const value = plainValue(givenValue(material, name));
+    if (isTonalArtMap(value) || isDefault(name, value, material.technique)) continue;
+    const { owner } = property;
+    if (owner === 'composition' || owner === 'perTriangle') json[owner] = { ...Object(json[owner]), [name]: value };
+    else json[name] = value;
   }
   return json;
 }
@@ -38,8 +44,11 @@ export function setFromJSON(
   const plain = plainProperties();
   for (const [name, value] of Object.entries(json)) {
     if (name === 'clippingPlanes') values[name] = planesFrom(value);
-    else if (Object.hasOwn(HATCHING_PROPERTIES, name)) {
-      const { kind } = HATCHING_PROPERTIES[name as HatchingPropertyName];
+    else if (name === 'composition' || name === 'perTriangle') {
+      checkRecord(name, value);
+      values[name] = Object.fromEntries(ownedEntries(name, value as object));
+    } else if (isOwn(material, name)) {
+      const { kind } = HATCHING_PROPERTIES[name];
       if (kind === 'texture') values[name] = textureFrom(name, value, textures);
       else values[name] = kind === 'vector2' && Array.isArray(value) ? new Vector2().fromArray(value) : value;
     } else if (plain.has(name)) {
@@ -55,6 +64,13 @@ export function setFromJSON(
   material.setValues(values as HatchingMaterialParameters);
   if (uuid !== undefined) Object.assign(material, { uuid });
   if (userData !== undefined) material.userData = userData;
+}
+
+/** Whether a material itself has a property of the table. */
+function isOwn(material: HatchingMaterialProperties, name: string): name is PropertyNameOf<undefined> {
+  if (!Object.hasOwn(HATCHING_PROPERTIES, name)) return false;
+  const property: HatchingProperty = HATCHING_PROPERTIES[name as HatchingPropertyName];
+  return property.owner === undefined || (property.owner === 'shadowMaterial' && hasOwner(material, property));
 }
 
 /** Names of properties that identify a material, and the version that three.js counts up. */

@@ -14,7 +14,7 @@ import {
 } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
-import { runsAway } from '../look/queries.js';
+import { hasOwner, runsAway } from '../look/queries.js';
 import { axisAngle } from '../look/vectors.js';
 import { isFitted } from './exposure/ToneFit.js';
 import { createFadingUniforms } from './fading/fading.js';
@@ -128,8 +128,10 @@ export function writePropertyUniforms(material: HatchingMaterialProperties, unif
     const name = key as HatchingPropertyName;
     const property: HatchingProperty = HATCHING_PROPERTIES[name];
     if (!('uniform' in property) || property.uniform === undefined) continue;
-    uniforms[property.uniform].value = material[name];
-    if (property.kind === 'texture') writeTransform(material[name] as Texture | null, uniforms[property.transform]);
+    if (!hasOwner(material, property)) continue;
+    const value = (material as Readonly<Partial<Record<HatchingPropertyName, unknown>>>)[name];
+    uniforms[property.uniform].value = value;
+    if (property.kind === 'texture') writeTransform(value as Texture | null, uniforms[property.transform]);
   }
 }
 
@@ -200,9 +202,10 @@ const highlightKept = (tone: number, { x, y }: Vector2): number => tone * Math.m
 
 /** Writes the uniforms that are computed from several properties, or from one in another unit. Allocates nothing. */
 export function writeComputedUniforms(material: HatchingMaterialProperties, u: Uniforms): void {
-  write(u.blendCosine, Math.cos(material.blendAngle));
+  write(u.blendCosine, Math.cos(material.perTriangle.blendAngle));
   // u = s·cos + t·sin, v = t·cos − s·sin, in tiles
-  const { tilesPerObjectUnit: scale, strokeOffset: offset } = material;
+  const { tilesPerObjectUnit: scale } = material;
+  const { strokeOffset: offset } = material.perTriangle;
   const isAway = runsAway(material);
   // Turned by a right angle, the strokes of a map run along the direction of the light.
   const turn = axisAngle(isAway ? Math.PI / 2 : material.strokeAngle);
@@ -219,8 +222,8 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   u.crossFrom.value = isAway ? 1 : material.crossFrom;
   const highlightReach = Math.max(material.highlightThreshold * material.highlightSoftness, 1e-6);
   // An exposure that is fitted to the scene is written later, when the scene is drawn.
-  const { exposure, exposureCompensation } = material;
-  u.exposure.value.set(exposure !== 'auto' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
+  const { exposure, exposureCompensation } = material.composition;
+  u.exposure.value.set(typeof exposure === 'number' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
   u.colorExposure.value = 1;
   const ramp = u.highlightRamp.value.set(
     0.5 / highlightReach,

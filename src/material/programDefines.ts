@@ -1,12 +1,12 @@
 import type { Texture } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName, type PropertyNameOf } from '../look/hatchingProperties.js';
 import { familyOf } from '../look/presetParameters.js';
-import { drawnValue, needsAdjacency } from '../look/queries.js';
+import { drawnValue, type HatchingLook, hasOwner, needsAdjacency } from '../look/queries.js';
 import { VERTEX_LAYOUTS, type VertexLayout } from './deformation/canDeform.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
-import { CHANNEL_VARYINGS, channelDefine, TONE_CURVES } from './shaders/defineNames.js';
+import { CHANNEL_VARYINGS, channelDefine, SHADOWS_ALONE, TONE_CURVES } from './shaders/defineNames.js';
 
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
 
@@ -45,15 +45,16 @@ export function programDefines(
   for (const name of propertyNames) {
     const property: HatchingProperty = HATCHING_PROPERTIES[name];
     if (property.kind === 'texture') {
-      const texture = material[name] as Texture | null;
+      const texture = material[name as PropertyNameOf<undefined>] as Texture | null;
       defines[channelDefine(property)] = texture ? CHANNEL_VARYINGS[texture.channel] : undefined;
       usesFirstChannel ||= texture?.channel === 0;
     }
-    if (!('define' in property)) continue;
+    if (!('define' in property) || !hasOwner(material, property)) continue;
     const value = drawnValue(material, name, hasForm);
     if (property.kind === 'choice') defines[property.define] = property.choices.indexOf(value as string);
     else defines[property.define] = value ? '' : undefined;
   }
+  if ((material as HatchingLook).isHatchingShadowMaterial) defines.TONE_MODEL = SHADOWS_ALONE;
   defines.ENVIRONMENT = hasEnvironment ? '' : undefined;
   defines.VERTEX_LAYOUT = VERTEX_LAYOUTS.indexOf(needsAdjacency(material) ? vertexLayout : 'corner');
   defines.TONE_CURVE = TONE_CURVES.indexOf(curveKind(toneCurve));
@@ -93,7 +94,7 @@ export function programSwitches(material: HatchingMaterialProperties & { normalM
   let switches: number = material.normalMapType;
   for (const name in HATCHING_PROPERTIES) {
     if (HATCHING_PROPERTIES[name as HatchingPropertyName].kind !== 'texture') continue;
-    switches = switches * 16 + textureSwitches(material[name as HatchingPropertyName] as Texture | null);
+    switches = switches * 16 + textureSwitches(material[name as PropertyNameOf<undefined>] as Texture | null);
   }
   switches = 32 * switches + 8 * material.side + material.blending;
   for (let i = 0; i < FLAGS.length; i++) switches = 2 * switches + Number(material[FLAGS[i]]);

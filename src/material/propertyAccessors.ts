@@ -8,20 +8,21 @@ import {
 } from '../look/hatchingProperties.js';
 import { defaultOf } from '../look/presetParameters.js';
 import { checkNumber } from './checkNumber.js';
-import { checkPoint, isWord } from './checkValues.js';
+import { checkPoint, isWord, ownerOf } from './checkProperty.js';
 import { checkHatchingMap, type HatchingMap, toPoint } from './propertyValues.js';
 
-/** The storage of a material's properties, for GLSL or nodes. */
+/** The storage of a material's properties, for GLSL or nodes, or of a group of them. */
 interface PropertyHolder {
-  readonly technique: HatchingTechnique;
+  /** Left out by holders whose defaults do not depend on it. */
+  readonly technique?: HatchingTechnique;
   focused: Vector3 | null;
   chosenMap: HatchingMap;
-  readonly numbers: Map<HatchingPropertyName, number | 'auto' | null>;
+  readonly numbers: Map<HatchingPropertyName, number | 'auto' | 'fit' | null>;
   choice(name: HatchingPropertyName): string | boolean;
   choose(name: HatchingPropertyName, value: string | boolean): void;
 }
 
-/** The getter and setter of a property that is not a plain field, for a material's prototype. The setter checks the value. */
+/** The getter and setter of a property that is not a plain field, for the prototype of its owner. The setter checks the value. */
 export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & ThisType<PropertyHolder> {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
   if (property.kind === 'tonalArtMap')
@@ -44,7 +45,7 @@ export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & Thi
       },
     };
   if (property.kind === 'number') {
-    const defaults = new Map<HatchingTechnique, unknown>();
+    const defaults = new Map<HatchingTechnique | undefined, unknown>();
     return {
       get() {
         const set = this.numbers.get(name);
@@ -54,7 +55,7 @@ export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & Thi
         return defaults.get(technique);
       },
       set(value) {
-        this.numbers.set(name, isWord(name, value) ? value : checkNumber(name, value, property.range));
+        this.numbers.set(name, isWord(name, value) ? value : checkNumber(name, value, property.range, ownerOf(name)));
       },
     };
   }

@@ -14,6 +14,9 @@ export function isVector2Like(value: unknown): boolean {
   return Number.isFinite(x) && Number.isFinite(y) && (!Array.isArray(value) || value.length === 2);
 }
 
+/** The given Vector2, or a new one from an array. */
+export const toVector2 = (value: Vector2Like): Vector2 => ('x' in value ? value : new Vector2(...value));
+
 /** A Vector3, or an array of three numbers. */
 export type Vector3Like = Vector3 | readonly [number, number, number];
 

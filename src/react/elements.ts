@@ -1,9 +1,11 @@
 import { extend, invalidate, type ThreeElement } from '@react-three/fiber';
 import {
   HatchingMaterial,
+  type HatchingMaterialOptions,
   type HatchingOutlineMaterial,
   type HatchingOutlineParameters,
   type HatchingOutlines,
+  type HatchingShadowMaterial,
 } from 'three-hatching';
 
 /**
@@ -29,10 +31,16 @@ export class FollowedMaterial extends HatchingMaterial {
   }
 }
 
+/** The props of a material, of which those that own properties may be plain objects of some of them. */
+type WithOwners<Props> = Omit<Props, 'composition' | 'perTriangle'> &
+  Partial<Pick<HatchingMaterialOptions, 'composition' | 'perTriangle'>>;
+
 declare module '@react-three/fiber' {
   interface ThreeElements {
     /** A `HatchingMaterial`. Every property is a prop. */
-    hatchingMaterial: ThreeElement<typeof HatchingMaterial>;
+    hatchingMaterial: WithOwners<ThreeElement<typeof HatchingMaterial>>;
+    /** A `HatchingShadowMaterial`, after `extend({ HatchingShadowMaterial })`. */
+    hatchingShadowMaterial: WithOwners<ThreeElement<typeof HatchingShadowMaterial>>;
     /**
      * The `HatchingOutlines` of the parent mesh, after `extend({ HatchingOutlines })`. With `<HatchingOutlines>`, which needs no `extend`,
      * the properties of the outlines are props.

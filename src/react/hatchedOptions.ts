@@ -7,6 +7,7 @@ export type HatchedOptions = Omit<ApplyHatchingOptions, 'signal' | 'renderer' | 
 export const NO_OPTIONS: Record<keyof HatchedOptions, undefined> = {
   preset: undefined,
   material: undefined,
+  shadow: undefined,
   outlines: undefined,
   form: undefined,
   tonalArtMap: undefined,

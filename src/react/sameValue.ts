@@ -17,7 +17,8 @@ export function sameValue(a: unknown, b: unknown): boolean {
 /** The names of the properties that at least one of two objects has. */
 export const namesOf = (a: object, b: object): string[] => [...new Set([...Object.keys(a), ...Object.keys(b)])];
 
-const isPlain = (value: unknown): value is Record<string, unknown> =>
+/** Whether a value is an object that was written as a literal. */
+export const isPlain = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
 
 /** Returns the same object as long as its content is equal, for objects that components create with each render. */

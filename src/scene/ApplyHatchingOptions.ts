@@ -5,6 +5,7 @@ import type {
   OutlineOptions,
   PrepareHatchingGeometryOptions,
 } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import type { HatchingShadowOptions } from '../material/groups/ownedProperties.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import type { MapDrawing } from '../strokes/tamImages/hatchImageOptions.js';
@@ -16,6 +17,8 @@ export interface HatchingPreset {
   readonly material: Readonly<HatchingMaterialParameters>;
   /** The options and parameters of the outlines. */
   readonly outlines: Readonly<OutlineOptions & HatchingOutlineParameters>;
+  /** What a `HatchingShadowMaterial` adds to `material` for shadows on a ground. */
+  readonly shadow?: Readonly<Partial<HatchingShadowOptions>>;
   /** The options of `TonalArtMap.generate`; `null` if the preset needs no map. */
   readonly tonalArtMap: Readonly<MapDrawing> | null;
 }
@@ -27,6 +30,8 @@ export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOption
    * parameters in `material` and `outlines` do so one by one. Default: no preset.
    */
   preset?: PresetName | HatchingPreset | undefined;
+  /** What presets say of shadows on a ground, for a `HatchingShadowMaterial` of yours; `applyHatching` itself makes no ground. */
+  shadow?: HatchingPreset['shadow'] | undefined;
   /**
    * The tonal art map for those materials that need one and have none among their parameters: your own map, the options of
    * `TonalArtMap.generate`, or a function that resolves with your own map. The function is called with a progress listener while

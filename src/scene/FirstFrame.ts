@@ -11,7 +11,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { HATCHING_PROPERTIES, type HatchingPropertyName, type PropertyNameOf } from '../look/hatchingProperties.js';
 import { needsAdjacency, usesThresholds } from '../look/queries.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
@@ -170,7 +170,7 @@ function texturesIn(material: HatchingMaterial): Texture[] {
   const names = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
   const maps = names
     .filter((name) => HATCHING_PROPERTIES[name].kind === 'texture')
-    .map((name) => material[name] as Texture | null);
+    .map((name) => material[name as PropertyNameOf<undefined>] as Texture | null);
   if (typeof tonalArtMap === 'object' && tonalArtMap?.isReady)
     maps.push(usesThresholds(material) ? tonalArtMap.thresholdTexture : tonalArtMap.texture);
   return maps.filter((texture) => texture !== null);

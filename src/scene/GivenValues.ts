@@ -1,5 +1,3 @@
-import type { Material } from 'three';
-
 /** A value that is copied, not assigned: a colour or a vector. */
 interface Copied {
   equals(other: unknown): boolean;
@@ -25,25 +23,25 @@ const isGroup = (value: unknown): value is object =>
 type Values = Record<string, unknown>;
 
 /** The object that holds a value of a material, and its name there. */
-function placeOf(material: Material, name: string): [holder: Values, key: string] {
+function placeOf(material: object, name: string): [holder: Values, key: string] {
   const values = material as unknown as Values;
   const [group, key] = name.split('.');
   return key === undefined ? [values, name] : [values[group] as Values, key];
 }
 
-/** The values that a material was given. Other values that it has are edits of the user. */
+/** The values that a material or a composition was given. Other values that it has are edits of the user. */
 export class GivenValues {
   private readonly values: Values = {};
 
   constructor(
-    material: Material,
+    material: object,
     private readonly names: readonly string[],
   ) {
     for (const name of names) this.note(material, name);
   }
 
   /** Sets a property, unless it was edited. */
-  give(material: Material, name: string, value: unknown): void {
+  give(material: object, name: string, value: unknown): void {
     const [target, key] = placeOf(material, name);
     if (!isSame(target[key], this.values[name])) return;
     set(target, key, value);
@@ -51,7 +49,7 @@ export class GivenValues {
   }
 
   /** Copies the edits of a material to another one. @param except names of properties that stay */
-  copyEdits(from: Material, to: Material, except: readonly string[] = []): void {
+  copyEdits(from: object, to: object, except: readonly string[] = []): void {
     for (const name of this.names) {
       const [source, key] = placeOf(from, name);
       const value = source[key];
@@ -60,7 +58,7 @@ export class GivenValues {
     }
   }
 
-  private note(material: Material, name: string): void {
+  private note(material: object, name: string): void {
     const [source, key] = placeOf(material, name);
     const value = source[key];
     this.values[name] = isCopied(value) ? value.clone() : value;

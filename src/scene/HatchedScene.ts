@@ -1,7 +1,11 @@
 import { type BufferGeometry, Color, type Material, type Mesh, type Object3D } from 'three';
 import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
+import { namesOfOwner } from '../material/checkProperty.js';
+import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import { FIELD_FRAME } from '../material/fieldFrameName.js';
 import { identityOf } from '../material/geometry/identityOf.js';
+import { HatchingComposition } from '../material/groups/HatchingComposition.js';
+import type { HatchingCompositionOptions } from '../material/groups/ownedProperties.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
 import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
@@ -10,6 +14,7 @@ import { lookOptions, resolveOptions } from './applyOptions.js';
 import { beginCall, type CallUnderWay } from './beginCall.js';
 import type { ChosenMeshes, MeshHolder } from './chooseMeshes.js';
 import { growExtent } from './dressLooks.js';
+import { GivenValues } from './GivenValues.js';
 import type { MeshLook } from './geometryPlans.js';
 import type { BakedGeometry, LookMakers, MadeLooks, SceneStyle } from './HatchingCall.js';
 import type { LaterForms } from './LaterForms.js';
@@ -61,6 +66,8 @@ export class HatchedScene {
   private batches: Batch[] = [];
   private baked = new Map<BufferGeometry, BakedGeometry>();
   private style: SceneStyle;
+  /** The numbers that looks gave the composition. */
+  private composed: GivenValues;
   private hatchingMaterials: readonly HatchingMaterial[] = [];
   private ownOutlines: readonly HatchingOutlines[] = [];
   private leftOut: readonly SkippedMesh[] = [];
@@ -83,12 +90,23 @@ export class HatchedScene {
     private readonly makers: LookMakers,
   ) {
     this.given = options;
-    this.style = styleOf(options);
+    this.style = styleOf(options, new HatchingComposition());
+    const { composition } = this.style;
+    composition.setValues(numbersOf(this.style));
+    this.composed = new GivenValues(composition, COMPOSITION_NAMES);
   }
 
   /** All new materials; you may change them. */
   get materials(): readonly HatchingMaterial[] {
     return this.hatchingMaterials;
+  }
+
+  /**
+   * What counts for the whole picture: exposure, depth, focus and vignette. All new materials share it, unless their parameters name
+   * another.
+   */
+  get composition(): HatchingComposition {
+    return this.style.composition;
   }
 
   /** The outlines of all meshes, if requested; you may change their materials. Those share one whose meshes do. */
@@ -239,7 +257,7 @@ export class HatchedScene {
     try {
       if (this.isDisposed) throw new Error('HatchedScene: it was disposed of. Call applyHatching again.');
       const isNew = restyle !== null;
-      const style = isNew ? styleOf(restyle) : this.style;
+      const style = isNew ? styleOf(restyle, this.style.composition) : this.style;
       const holder: MeshHolder = {
         holds: (mesh) => this.holds(mesh),
         keeps: (mesh) => !isNew && isAsHatched(this.partOf(mesh)!),
@@ -320,7 +338,10 @@ export class HatchedScene {
     }
 
     this.style = style;
+    if (change) this.compose(former);
     if (made) this.take(made, looks, madeMaps);
+    this.measure(former.measures?.extent);
+    style.composition.refit();
     if (outlineMaker) style.outlineMaker = outlineMaker;
     const batch: Batch = {
       geometries: made?.geometries ?? new Set(),
@@ -346,6 +367,28 @@ export class HatchedScene {
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce?.(mesh);
     }
+  }
+
+  /** Sets the numbers of the composition of a new look. What was edited stays, unless it was passed with the look. */
+  private compose(former: SceneStyle): void {
+    const { composition } = this.style;
+    if (composition !== former.composition) {
+      this.composed = new GivenValues(composition, COMPOSITION_NAMES);
+      return;
+    }
+    const { material } = this.given;
+    if (typeof material === 'object' && this.given.preset !== undefined)
+      composition.setValues(plainOf(material.composition));
+    const numbers = new HatchingComposition(numbersOf(this.style)) as HatchingComposition & Record<string, unknown>;
+    for (const name of COMPOSITION_NAMES) this.composed.give(composition, name, numbers[name]);
+  }
+
+  /** Gives compositions the extent of the scene, unless they have one of their own. */
+  private measure(former: SceneExtent | undefined): void {
+    const { measures, replacements, composition } = this.style;
+    if (!measures) return;
+    const all = new Set([composition, ...[...replacements.values()].map(({ material }) => material.composition)]);
+    for (const one of all) if (one.extent === null || one.extent === former) one.extent = measures.extent;
   }
 
   /** Takes over what was made for a look. */
@@ -479,10 +522,33 @@ export class HatchedScene {
   }
 }
 
-/** Separates the options that a scene keeps from those of one call. */
-function styleOf(given: ApplyHatchingOptions): SceneStyle {
+const COMPOSITION_NAMES = /* @__PURE__ */ namesOfOwner('composition');
+
+type CompositionNumbers = Partial<HatchingCompositionOptions>;
+
+/** The numbers of a composition that is given as a plain object; none of an instance. */
+const plainOf = (composition: HatchingComposition | CompositionNumbers = {}): CompositionNumbers =>
+  'isHatchingComposition' in composition ? {} : composition;
+
+/** The numbers that a look gives the composition of its scene. */
+const numbersOf = ({ options: { material } }: SceneStyle): CompositionNumbers =>
+  typeof material === 'object' ? plainOf(material.composition) : {};
+
+/** Separates the options that a scene keeps from those of one call. @param present the composition, unless the options have another */
+function styleOf(given: ApplyHatchingOptions, present: HatchingComposition): SceneStyle {
   const { signal, onProgress, ...options } = resolveOptions(given);
-  return { options, replacements: new Map(), maps: new Map(), outlineMaker: null, measures: null, disposables: [] };
+  const { material } = options;
+  const named = typeof material === 'object' ? material.composition : undefined;
+  const composition = named && 'isHatchingComposition' in named ? (named as HatchingComposition) : present;
+  return {
+    options,
+    composition,
+    replacements: new Map(),
+    maps: new Map(),
+    outlineMaker: null,
+    measures: null,
+    disposables: [],
+  };
 }
 
 const lookOf = (mesh: Mesh): MeshLook => ({

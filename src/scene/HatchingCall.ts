@@ -1,6 +1,7 @@
 import type { BufferAttribute, BufferGeometry, Mesh, Object3D, Vector3 } from 'three';
 import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import type { OutlineOptions } from '../material/geometry/PrepareHatchingGeometryOptions.js';
+import type { HatchingComposition } from '../material/groups/HatchingComposition.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlineParameters } from '../material/outlines/HatchingOutlineMaterial.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
@@ -48,6 +49,8 @@ export interface BakedGeometry {
 export interface SceneStyle {
   /** The options, with those of the preset. */
   readonly options: ApplyHatchingOptions;
+  /** The composition that the materials share. */
+  readonly composition: HatchingComposition;
   /** The replacements of materials, keyed as `MaterialReplacer` does. */
   readonly replacements: Map<string, Replacement>;
   /** The maps of the styles that materials have named. */

@@ -2,7 +2,7 @@ import { Material, type Mesh } from 'three';
 import { GLASS } from '../look/glass.js';
 import type { HatchingMaterialParameters } from '../material/checkValues.js';
 import { deforms } from '../material/deformation/canDeform.js';
-import type { SceneExtent } from '../material/fading/SceneExtent.js';
+import type { HatchingComposition } from '../material/groups/HatchingComposition.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { isReplaced } from './leftAlone.js';
 import { acceptable, Replacement, surfaceProperties } from './Replacement.js';
@@ -21,13 +21,17 @@ export class MaterialReplacer {
   /** Those of them that are new. */
   readonly added: Replacement[] = [];
 
-  /** @param known the replacements that exist already */
+  /**
+   * @param known the replacements that exist already
+   * @param composition that the new materials share, unless a function of parameters gives them another
+   */
   constructor(
     private readonly parameters:
       | HatchingMaterialParameters
       | ((source: Material, mesh: Mesh) => HatchingMaterialParameters),
     private readonly make: () => HatchingMaterial,
     private readonly known: ReadonlyMap<string, Replacement>,
+    private readonly composition: HatchingComposition,
   ) {}
 
   /** The new materials. */
@@ -52,21 +56,24 @@ export class MaterialReplacer {
     for (const one of this.added) if (one.scale !== null) one.give('tilesPerObjectUnit', tilesPerWorldUnit * one.scale);
   }
 
-  /** Sets the extent of the scene on all new materials whose parameters set none. */
-  setExtent(extent: SceneExtent): void {
-    for (const one of this.added) if (one.material.extent === null) one.give('extent', extent);
-  }
-
   dispose(): void {
     for (const { material } of this.added) material.dispose();
+  }
+
+  /** The parameters of each material, without those of the composition, which the scene sets once. */
+  private get ownParameters(): HatchingMaterialParameters {
+    const { composition: _composition, ...own } = this.parameters as HatchingMaterialParameters;
+    return own;
   }
 
   private hatchingMaterialFor(source: Material, mesh: Mesh, scale: number): HatchingMaterial {
     const key = `${source.uuid} ${scale.toPrecision(SCALE_DIGITS)} ${deforms(mesh.geometry, mesh)}`;
     let replacement = this.used.get(key) ?? this.known.get(key);
     if (!replacement) {
-      const parameters = typeof this.parameters === 'function' ? this.parameters(source, mesh) : this.parameters;
-      const material = hatchingMaterialFrom(source, parameters, this.make());
+      const parameters = typeof this.parameters === 'function' ? this.parameters(source, mesh) : this.ownParameters;
+      const material = this.make();
+      material.composition = this.composition;
+      hatchingMaterialFrom(source, parameters, material);
       const ownScale = parameters.tilesPerObjectUnit === undefined ? scale : null;
       replacement = new Replacement(key, source, material, Object.keys(parameters), ownScale);
       this.added.push(replacement);
@@ -87,7 +94,7 @@ function hatchingMaterialFrom(
   source: Material,
   parameters: HatchingMaterialParameters,
   material: HatchingMaterial,
-): HatchingMaterial {
+): void {
   // Material.copy clones user data through JSON, which loses some values. As the prototype of another object the source would become slow.
   const { alphaTest } = source;
   Material.prototype.copy.call(material, { ...source, alphaTest, userData: {} } as Material);
@@ -115,5 +122,4 @@ function hatchingMaterialFrom(
       { paperOpacity: 1 - Math.min(transmission, 1) },
       parameters.paperOpacity !== undefined && { paperOpacity: parameters.paperOpacity },
     );
-  return material;
 }

@@ -89,7 +89,7 @@ function editableNames(): string[] {
       ...names,
       ...NAMES,
       'wireframeLinewidth',
-      'extent',
+      'composition',
       // The technique decides the defaults of others, which must be set after it.
       'technique',
       ...Object.keys(HATCHING_PROPERTIES),

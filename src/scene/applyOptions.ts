@@ -21,6 +21,7 @@ const OWN_OPTIONS = {
   onFormProgress: true,
   invalidate: true,
   preset: true,
+  shadow: true,
   renderer: true,
   camera: true,
 } satisfies Record<Exclude<keyof ApplyHatchingOptions, keyof PrepareHatchingGeometryOptions>, true>;

@@ -113,7 +113,6 @@ function* finishLooks(
   const attached = looks.filter(({ mesh }) => !isDetached(mesh));
   const measures = style.measures ?? (yield* measuresOf(root, attached, choice.claimed, options));
   replacer.setTilesPerUnit(measures.tilesPerWorldUnit);
-  replacer.setExtent(measures.extent);
   const frameOf = fieldFrames(root, measures.center);
   for (const look of looks) {
     look.fieldFrame = isDetached(look.mesh) ? fieldFrameOf(look.mesh) : frameOf(look.mesh);

@@ -159,7 +159,7 @@ async function planLooks(
 ): Promise<Plans> {
   const { options, makers, style, disposables, asBefore, firstFrame, detail } = call;
   const { signal } = options;
-  const replacer = new MaterialReplacer(options.material ?? {}, makers.material, style.replacements);
+  const replacer = new MaterialReplacer(options.material ?? {}, makers.material, style.replacements, style.composition);
   disposables.push(replacer);
   const displaced = await displaceMeshes(seen, unreadable);
   const planned = await runSliced(planMeshes(displaced, replacer), { signal, around: asBefore });

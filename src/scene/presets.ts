@@ -1,5 +1,6 @@
 import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
-import { frozen, PRESET_MATERIALS, type PresetName } from '../look/presetMaterials.js';
+import { frozen, PRESET_MATERIALS, PRESET_SHADOWS, type PresetName } from '../look/presetMaterials.js';
+import { mergedParameters } from '../look/presetParameters.js';
 import { needsMap } from '../look/queries.js';
 import type { HatchingMaterialParameters } from '../material/checkValues.js';
 import type { StrokeStyleName } from '../strokes/strokeStyleNames.js';
@@ -39,7 +40,8 @@ function mapOf(material: HatchingMaterialParameters): HatchingPreset['tonalArtMa
 function makePresets(): Record<PresetName, HatchingPreset> {
   const entries = Object.entries(makeOutlines()).map(([name, outlines]) => {
     const material: HatchingMaterialParameters = PRESET_MATERIALS[name as PresetName];
-    return [name, { material, outlines, tonalArtMap: mapOf(material) }];
+    const shadow = PRESET_SHADOWS[name as PresetName];
+    return [name, { material, outlines, ...(shadow && { shadow }), tonalArtMap: mapOf(material) }];
   });
   return Object.fromEntries(entries);
 }
@@ -77,7 +79,10 @@ export function withPreset(
   const ofPreset = tonalArtMap ?? undefined;
   return {
     ...options,
-    material: typeof own === 'function' ? (...args) => ({ ...material, ...own(...args) }) : { ...material, ...own },
+    material:
+      typeof own === 'function'
+        ? (...args) => mergedParameters(material, own(...args))
+        : mergedParameters(material, own),
     outlines:
       typeof ownOutlines === 'object' && ownOutlines !== null
         ? overridden(outlines, ownOutlines)

@@ -9,6 +9,7 @@ import {
   type Mesh,
   type Scene,
   type Vector2,
+  type Vector3,
   Vector4,
   type WebGLRenderer,
 } from 'three';
@@ -21,17 +22,26 @@ import {
   type WebGPURenderer,
 } from 'three/webgpu';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import {
+  HATCHING_DEFAULTS,
+  HATCHING_PROPERTIES,
+  type HatchingPropertyName,
+  type PropertyNameOf,
+  type ToneModel,
+} from '../look/hatchingProperties.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { defaultOf, spelledOut } from '../look/presetParameters.js';
-import { formOf, needsAdjacency, needsMap, resolveLook, usesThresholds } from '../look/queries.js';
-import { checkChoice, checkValues, type HatchingMaterialParameters } from '../material/checkValues.js';
+import { formOf, needsAdjacency, needsMap, resolveLook, runsAway, usesThresholds } from '../look/queries.js';
+import { checkChoice } from '../material/checkProperty.js';
+import { checkValues, type HatchingMaterialParameters } from '../material/checkValues.js';
 import { FrameStamp } from '../material/FrameStamp.js';
 import { takesWeight, writeFading, writeImportance } from '../material/fading/fading.js';
-import type { SceneExtent } from '../material/fading/SceneExtent.js';
 import { fittedCurve, type ToneCurve } from '../material/fitToneCurve.js';
 import { hasOtherFormAngle, noteFormAngle } from '../material/geometry/formAngles.js';
 import { lineContrast } from '../material/geometry/lineFades.js';
+import { composedWith, HatchingComposition } from '../material/groups/HatchingComposition.js';
+import type { HatchingCompositionOptions, PerTriangleOptions } from '../material/groups/ownedProperties.js';
+import { PerTriangle } from '../material/groups/PerTriangle.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { propertiesToJSON } from '../material/hatchingJSON.js';
 import {
@@ -89,14 +99,14 @@ class MeshValues extends Node {
 
 const meshValues = /* @__PURE__ */ new MeshValues();
 
-export interface HatchingNodeMaterial extends Pick<HatchingMaterialProperties, HatchingPropertyName> {}
+export interface HatchingNodeMaterial
+  extends Pick<HatchingMaterialProperties, Exclude<PropertyNameOf<undefined>, 'toneCurve'>> {}
 
 /**
  * `HatchingMaterial` for WebGPURenderer, experimental: the same properties with the same names, defaults and checks. It draws the
  * techniques but `triangle` and `adjacency`. A choice that it cannot draw yet is replaced by the nearest one, with one warning
  * (docs/support.md).
  */
-// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
 export class HatchingNodeMaterial extends NodeMaterial {
   readonly isHatchingNodeMaterial = true;
   /** Code that reads the properties of a `HatchingMaterial`, such as vector drawing, accepts this material too. */
@@ -107,15 +117,14 @@ export class HatchingNodeMaterial extends NodeMaterial {
   readonly meshValues: Node = meshValues;
   /** Null, since three.js reads `envMap` of every material: the scene's environment is used, with the scene's rotation. @internal */
   readonly envMap: null = null;
-  /** The depth of the scene, which `depthFade` is a share of. Null: depth in world units, from the eye. Default: null. */
-  extent: SceneExtent | null = null;
-
-  protected focused: HatchingMaterialProperties['focus'] = null;
+  protected focused: Vector3 | null = null;
   protected chosenMap: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
-  protected numbers = new Map<HatchingPropertyName, number | 'auto' | null>();
+  protected numbers = new Map<HatchingPropertyName, number | 'auto' | 'fit' | null>();
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
     technique: HATCHING_DEFAULTS.technique,
   };
+  private composed = new HatchingComposition();
+  private readonly ofTriangles = new PerTriangle(() => {});
   private curve: ToneCurve | undefined;
   /** The frame in which the uniforms were last written. */
   private readonly written = new FrameStamp();
@@ -133,6 +142,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     super();
     this.uniforms = { ...createHatchingUniforms(), viewToObject: { value: new Matrix3() } };
     for (const name of propertyNames) {
+      if (propertyOf(name).owner !== undefined) continue;
       const field = fieldOf(name);
       if (field !== undefined) Object.assign(this, { [name]: field });
       else if (!(name in this)) Object.defineProperty(HatchingNodeMaterial.prototype, name, accessorOf(name));
@@ -141,6 +151,29 @@ export class HatchingNodeMaterial extends NodeMaterial {
     this.fog = true;
     this.toneMapped = false;
     this.setValues(parameters);
+  }
+
+  /** Whether the material shows the shadows that fall on it, and nothing else, as `HatchingShadowNodeMaterial` does. */
+  get isHatchingShadowMaterial(): boolean {
+    return false;
+  }
+
+  /** What counts for a whole picture, as in `HatchingMaterial`. */
+  get composition(): HatchingComposition {
+    return this.composed;
+  }
+
+  set composition(value: HatchingComposition | Partial<HatchingCompositionOptions>) {
+    this.composed = composedWith(this.composed, value);
+  }
+
+  /** What only techniques without nodes read, as in `HatchingMaterial`. */
+  get perTriangle(): PerTriangle {
+    return this.ofTriangles;
+  }
+
+  set perTriangle(value: Partial<PerTriangleOptions>) {
+    this.ofTriangles.setValues(value);
   }
 
   get toneCurve(): ToneCurve {
@@ -189,15 +222,17 @@ export class HatchingNodeMaterial extends NodeMaterial {
     for (const name of Object.keys(this.chosen)) delete this.chosen[name as HatchingPropertyName];
     Object.assign(this.chosen, source.chosen);
     for (const name of propertyNames) {
-      const { kind } = propertyOf(name);
-      if (kind === 'color') (this[name] as Color).copy(source[name] as Color);
-      else if (kind === 'vector2') (this[name] as Vector2).copy(source[name] as Vector2);
-      else if (kind === 'texture' || kind === 'tonalArtMap') Object.assign(this, { [name]: source[name] });
+      const { kind, owner } = propertyOf(name);
+      if (owner !== undefined) continue;
+      const own = name as PropertyNameOf<undefined>;
+      if (kind === 'color') (this[own] as Color).copy(source[own] as Color);
+      else if (kind === 'vector2') (this[own] as Vector2).copy(source[own] as Vector2);
+      else if (kind === 'texture' || kind === 'tonalArtMap') Object.assign(this, { [own]: source[own] });
     }
+    this.composed = source.composed;
+    this.ofTriangles.setValues(source.ofTriangles);
     this.curve = source.curve;
     this.numbers = new Map(source.numbers);
-    this.focused = source.focused?.clone() ?? null;
-    this.extent = source.extent;
     return this;
   }
 
@@ -216,15 +251,15 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   /** Names the choices that the program depends on. */
   override customProgramCacheKey(): string {
-    const { inkBlend, toneModel, toneNormal, shadowDirection } = this;
+    const { inkBlend, toneNormal } = this;
     const curve = curveOf(this.toneCurve);
     return [
       ...choicesOf(this),
       Number(this.screenSpaceShare > 0),
       this.strokeAnchor,
-      toneModel,
+      this.drawnToneModel,
       toneNormal,
-      shadowDirection,
+      Number(runsAway(this)),
       curve,
       inkBlend,
       Number(dotLayerOf(this) !== undefined),
@@ -249,12 +284,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     (u.viewToObject.value as Matrix3).getNormalMatrix(modelView).transpose();
   }
 
-  private writeFrame(
-    look: HatchingMaterialProperties & { extent: SceneExtent | null },
-    renderer: WebGLRenderer,
-    scene: Scene,
-    camera: Camera,
-  ): void {
+  private writeFrame(look: HatchingMaterialProperties, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
     const u = this.uniforms;
     const pixelRatio = renderer.getPixelRatio();
     writePropertyUniforms(look, u);
@@ -316,7 +346,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   override setupLightingModel(builder?: NodeBuilder): HatchingLightingModel {
     const built = builder as NodeBuilder & { lightsNode: { getLights(): Light[] } };
     const lights = built.lightsNode.getLights();
-    const { look, toneModel } = this;
+    const { look, drawnToneModel: toneModel } = this;
     const choices = { toneModel, shadowStrokes: resolveLook(look, false).shadowStrokes };
     return new HatchingLightingModel(choices, lights, (surface) => this.print(surface, built));
   }
@@ -344,8 +374,12 @@ export class HatchingNodeMaterial extends NodeMaterial {
     this.needsUpdate = true;
   }
 
-  private get look(): HatchingMaterialProperties & { extent: SceneExtent | null } {
-    return this as unknown as HatchingMaterialProperties & { extent: SceneExtent | null };
+  private get look(): HatchingMaterialProperties {
+    return this as unknown as HatchingMaterialProperties;
+  }
+
+  private get drawnToneModel(): ToneModel | 'shadow' {
+    return this.isHatchingShadowMaterial ? 'shadow' : this.toneModel;
   }
 
   /** The current tonal art map, if it is loaded. The map of a style is requested when it is first drawn with. */
@@ -362,7 +396,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   private print(lit: LitSurface, builder: NodeBuilder): Value {
     const { material } = builder;
-    const { look, technique, toneModel } = this;
+    const { look, technique, drawnToneModel: toneModel } = this;
     const emitted = materialEmissive;
     const radiance = lit.radiance.add(lightLuminance(emitted)).toVar();
     const surface = { ...lit, radiance, darkness: localDarkness(diffuseColor.xyz, emitted) };

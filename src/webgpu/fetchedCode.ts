@@ -108,7 +108,7 @@ export const exposureReady = async (material: HatchingMaterialProperties): Promi
   if (isFitted(material)) await fitting.fetch();
 };
 
-/** Writes the exposure that suits the scene if `exposure` is fitted, once the code is loaded. */
+/** Writes the exposure that suits the scene kept or of the present frame, if `exposure` is fitted, once the code is loaded. */
 export function writeExposure(
   material: HatchingMaterialProperties,
   renderer: WebGLRenderer,
@@ -118,6 +118,8 @@ export function writeExposure(
 ): void {
   if (!isFitted(material)) return;
   const { code } = fitting;
-  if (code) writeFit(code.sceneExposure(renderer, scene, camera), material, uniforms);
+  const { composition } = material;
+  const fit = composition.keptFit ?? code?.sceneExposure(renderer, scene, camera);
+  if (fit) writeFit(composition.kept(fit), material, uniforms);
   else fitting.ask();
 }

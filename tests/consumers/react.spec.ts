@@ -153,7 +153,7 @@ test('the components alone: map, geometry, material and lines; removed props ret
       window.page.pixels();
       return {
         ink: material.ink.getHexString(),
-        offset: material.strokeOffset.x,
+        offset: material.perTriangle.strokeOffset.x,
         map: (material.tonalArtMap as import('three-hatching').TonalArtMap).size,
         outlineWidth: lines.material.outlineWidth,
         wobble: lines.material.wobble,

@@ -395,7 +395,7 @@ function dressedIn(technique: HatchingTechnique, isPaper: boolean): Stage['dress
         toneNormal: parameters.flatShading ? 'face' : 'smooth',
         ...(isPaper ? {} : { debugView: 'tone' }),
         // Neighbours would blend a tone of their own into it.
-        ...(technique === 'adjacency' ? { blendAngle: 0 } : {}),
+        ...(technique === 'adjacency' ? { perTriangle: { blendAngle: 0 } } : {}),
         ...rest,
       }),
     );

@@ -272,7 +272,7 @@ test('a material comes back from its JSON', async ({ page }) => {
     const mesh = await hatchedMesh(new THREE.TorusGeometry(1, 0.4), {
       ink: '#a02030',
       toneModel: 'phong',
-      crisp: true,
+      perTriangle: { sharpInk: true },
     });
     const scene = sceneOf(mesh, sun());
     const drawn = pixelsOf(scene);

@@ -25,7 +25,10 @@ for (const technique of techniques) {
         const renderer = makeRenderer();
         const light = sun();
         const geometry = new THREE.SphereGeometry(1, 64, 32);
-        const scene = sceneOf(await hatchedMesh(geometry, { technique, debugView: 'tone', exposure: 'auto' }), light);
+        const scene = sceneOf(
+          await hatchedMesh(geometry, { technique, debugView: 'tone', composition: { exposure: 'auto' } }),
+          light,
+        );
         return [Math.PI, 0.03, 1, 50].map((intensity) => {
           light.intensity = intensity;
           return pixelsOf(scene, renderer);
@@ -47,7 +50,10 @@ test('the exposure stays as it is while the camera moves, and is what it was whe
     const { THREE, fitExposure, hatchedMesh, sceneOf, sun, makeRenderer, makeCamera } = window.toolkit;
     const renderer = makeRenderer();
     const light = sun(1);
-    const mesh = await hatchedMesh(new THREE.TorusGeometry(1, 0.4), { technique: 'engraving', exposure: 'auto' });
+    const mesh = await hatchedMesh(new THREE.TorusGeometry(1, 0.4), {
+      technique: 'engraving',
+      composition: { exposure: 'auto' },
+    });
     const scene = sceneOf(mesh, light, new THREE.HemisphereLight(0xffffff, 0x222222, 1));
     const camera = makeCamera();
     const draw = (): number[] => {
@@ -146,7 +152,7 @@ test("a scene for physically based rendering, lit by three's defaults, has light
       const scene = sceneOf(mesh, ...things);
       if (withRoom) scene.environment = environment;
       pictures[name] = ([1, 'auto'] as const).map((exposure) => {
-        mesh.material.exposure = exposure;
+        mesh.material.composition.exposure = exposure;
         return pixelsOf(scene, renderer);
       });
     }
@@ -180,9 +186,61 @@ test('a tone curve by hand has the light as it is', async ({ page }) => {
     const mesh = await hatchedMesh(new THREE.SphereGeometry(), { technique: 'hatching', debugView: 'tone', toneCurve });
     const scene = sceneOf(mesh, sun(1));
     return ([1, 'auto'] as const).map((exposure) => {
-      mesh.material.exposure = exposure;
+      mesh.material.composition.exposure = exposure;
       return pixelsOf(scene, renderer);
     });
   });
   expect(auto).toEqual(fixed);
+});
+
+test('hiding, colouring, adding and taking a part changes no other part, until the exposure is fitted again', async ({
+  page,
+}) => {
+  const { fit, auto } = await page.evaluate(async (size) => {
+    const { THREE, hatchedMesh, sceneOf, sun, pixelsOf, makeRenderer } = window.toolkit;
+    const renderer = makeRenderer();
+    /** The ink of the left part while the right one changes, and after the exposure was fitted again. */
+    const inkOf = async (exposure: 'fit' | 'auto'): Promise<number[]> => {
+      const { composition } = new window.toolkit.UsersMaterial({ composition: { exposure } });
+      const part = async (x: number, color: number) => {
+        const mesh = await hatchedMesh(new THREE.SphereGeometry(0.45, 48, 24), {
+          ...{ technique: 'engraving', debugView: 'tone', colorHatching: 0.8, colorFill: 0, composition, color },
+        });
+        mesh.position.x = x;
+        return mesh;
+      };
+      const [left, right] = [await part(-0.5, 0x808080), await part(0.5, 0xffffff)];
+      const scene = sceneOf(left, right, sun(0.7));
+      const ink = (): number => {
+        const pixels = pixelsOf(scene, renderer);
+        let sum = 0;
+        for (let i = 0; i < pixels.length; i += 4) {
+          const isLeft = (i / 4) % size < size / 2;
+          if (isLeft && pixels[i] === pixels[i + 1]) sum += 255 - pixels[i];
+        }
+        return sum;
+      };
+      const inks = [ink()];
+      right.visible = false;
+      inks.push(ink());
+      right.visible = true;
+      right.material.color.set(0x202020);
+      inks.push(ink());
+      const third = await part(0.5, 0xffffff);
+      third.position.y = 1;
+      scene.add(third);
+      inks.push(ink());
+      scene.remove(third, right);
+      inks.push(ink());
+      composition.refit();
+      return [...inks, ink()];
+    };
+    return { fit: await inkOf('fit'), auto: await inkOf('auto') };
+  }, SIZE);
+  const [first, ...others] = fit;
+  expect(first).toBeGreaterThan(0);
+  for (const ink of others.slice(0, -1)) expect(Math.abs(ink / first - 1)).toBeLessThan(0.01);
+  expect(Math.abs(others.at(-1)! / first - 1)).toBeGreaterThan(0.1);
+  expect(auto[0]).toBe(first);
+  expect(Math.abs(auto[1] / first - 1)).toBeGreaterThan(0.1);
 });

@@ -52,7 +52,7 @@ test('a scene that is deep fades by itself, another one does not', async ({ page
       floor.position.set(0, -1, -2 - length / 2);
       const root = new THREE.Group().add(floor);
       const hatched = await applyHatching(root, {
-        material: { technique: 'engraving', toneCurve: 'linear', depthFade },
+        material: { technique: 'engraving', toneCurve: 'linear', composition: { depthFade } },
       });
       const pixels = pixelsOf(sceneOf(root), renderer, new THREE.PerspectiveCamera(40, 1, 0.1, 100));
       hatched.dispose();
@@ -135,7 +135,9 @@ test('a vignette lies on the whole picture where it is drawn in tiles', async ({
     const { THREE, applyHatching, makeRenderer, pixelsOf, sceneOf, SIZE } = window.toolkit;
     const wall = new THREE.Mesh(new THREE.PlaneGeometry(9, 9), new THREE.MeshBasicMaterial());
     const root = new THREE.Group().add(wall);
-    await applyHatching(root, { material: { technique: 'engraving', toneCurve: 'linear', vignette: 1 } });
+    await applyHatching(root, {
+      material: { technique: 'engraving', toneCurve: 'linear', composition: { vignette: 1 } },
+    });
     const scene = sceneOf(root);
     const renderer = makeRenderer();
     const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 50);

@@ -25,11 +25,11 @@ for (const [filter, kind] of maps) {
     async ({ page }) => {
       const results = await page.evaluate(
         async ([filter, kind]) => {
-          const { lightOf, casting, board, boardDistances, ground, rendererOf, sceneOf, draw } = window.shading;
+          const { lightOf, casting, board, boardDistances, shadowGround, rendererOf, sceneOf, draw } = window.shading;
           const light = casting(await lightOf(kind), 1);
           // A bias moves the caster; only depths that are stored as halves need one.
           if (filter !== 'VSM') light.shadow.bias = 0;
-          const plane = await ground('triangle', { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5 }, true);
+          const plane = await shadowGround('triangle', { ink: '#000000', shadowTone: 0.5 }, true);
           const scene = sceneOf(plane, board(), light);
           const distances = boardDistances(kind, light);
           return [0, 1, 4].map((shadowFade) => {
@@ -67,7 +67,7 @@ test('a shadow that dissolves has the tone that is left of it with all technique
 }) => {
   const tones = await page.evaluate(
     async ([stages, techniques]) => {
-      const { SIZE, lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
+      const { SIZE, lightOf, casting, plate, shadowGround, sceneOf, draw } = window.shading;
       const light = casting(await lightOf('directional'), 0);
       light.shadow.bias = 0;
       const height = 0.4;
@@ -75,9 +75,9 @@ test('a shadow that dissolves has the tone that is left of it with all technique
       const share = height / light.position.clone().normalize().z / 4;
       const found: Record<string, number[]> = {};
       for (const technique of techniques) {
-        const look = { toneModel: 'shadow', ink: '#000000', shadowTone: 0.5, shadowDirection: 'away' } as const;
+        const look = { ink: '#000000', shadowTone: 0.5, shadowDirection: 'away' } as const;
         const lines = { lineSpacing: 4, irregularity: 0.4, ...(technique !== 'engraving' && { strokeLength: 30 }) };
-        const plane = await ground(technique, {
+        const plane = await shadowGround(technique, {
           ...look,
           ...(['hatching', 'dryMedia', 'stipple'].includes(technique) ? { screenSpaceShare: 1 } : lines),
         });
@@ -111,11 +111,10 @@ test('a shadow that dissolves has the tone that is left of it with all technique
 
 test('lines of a woodcut end in points at the soft edge of a shadow, without isolated pieces', async ({ page }) => {
   const pieces = await page.evaluate(async () => {
-    const { SIZE, lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
+    const { SIZE, lightOf, casting, plate, shadowGround, sceneOf, draw } = window.shading;
     const light = casting(await lightOf('directional'), 1);
     light.shadow.bias = 0;
-    const plane = await ground('woodcut', {
-      toneModel: 'shadow',
+    const plane = await shadowGround('woodcut', {
       ink: '#000000',
       shadowTone: 0.3,
       shadowFade: 0,
@@ -167,14 +166,15 @@ for (const [filter, kind, isReversed] of softMaps) {
     async ({ page }) => {
       const results = await page.evaluate(
         async ([filter, kind, isReversed]) => {
-          const { SIZE, lightOf, casting, plate, plateVisibility, ground, rendererOf, sceneOf, draw } = window.shading;
+          const { SIZE, lightOf, casting, plate, plateVisibility, shadowGround, rendererOf, sceneOf, draw } =
+            window.shading;
           const light = casting(await lightOf(kind), 1);
           light.position.x = -0.3;
           light.shadow.mapSize.setScalar(768);
           if (filter !== 'VSM') light.shadow.bias = 0;
           const shadowSoftness = 0.4;
           const renderer = rendererOf(filter, isReversed ? { reversedDepthBuffer: true } : {});
-          const plane = await ground('triangle', { toneModel: 'shadow', ink: '#000000', shadowSoftness }, true);
+          const plane = await shadowGround('triangle', { ink: '#000000', shadowSoftness }, true);
           return [0.3, 0.6, 1].map((height) => {
             const pixels = draw(sceneOf(plane, plate(height), light), renderer);
             const drawn = Array.from({ length: SIZE }, (_, i) => pixels[4 * ((SIZE / 2) * SIZE + i)] / 255);
@@ -207,7 +207,7 @@ test('with light ink, whose tone falls with the light, a shadow alone is blank, 
   page,
 }) => {
   const printed = await page.evaluate(async () => {
-    const { lightOf, casting, plate, ground, sceneOf, draw } = window.shading;
+    const { lightOf, casting, plate, shadowGround, sceneOf, draw } = window.shading;
     const light = casting(await lightOf('directional'), 1);
     const chalk = [
       [0, 0.95],
@@ -216,8 +216,8 @@ test('with light ink, whose tone falls with the light, a shadow alone is blank, 
     ] as const;
     return Promise.all(
       ([chalk, 'linear'] as const).map(async (toneCurve) => {
-        const look = { toneModel: 'shadow', ink: '#000000', toneCurve, shadowTone: 1, shadowSoftness: 0.4 } as const;
-        const pixels = draw(sceneOf(await ground('triangle', look, true), plate(0.6), light));
+        const look = { ink: '#000000', toneCurve, shadowTone: 1, shadowSoftness: 0.4 } as const;
+        const pixels = draw(sceneOf(await shadowGround('triangle', look, true), plate(0.6), light));
         return 255 - pixels.reduce((least, value) => Math.min(least, value), 255);
       }),
     );
@@ -232,10 +232,9 @@ for (const technique of ['hatching', 'engraving'] as const) {
     quickIf(technique === 'engraving'),
     async ({ page }) => {
       const angles = await page.evaluate(async (technique) => {
-        const { THREE, SIZE, lightOf, casting, clearances, ball, ground, sceneOf, draw } = window.shading;
+        const { THREE, SIZE, lightOf, casting, clearances, ball, shadowGround, sceneOf, draw } = window.shading;
         const light = casting(await lightOf('directional'));
-        const plane = await ground(technique, {
-          toneModel: 'shadow',
+        const plane = await shadowGround(technique, {
           shadowTone: 0.4,
           shadowStrokes: 'cross',
           crossFrom: 0.1,

@@ -152,7 +152,7 @@ for (const technique of TECHNIQUES) {
               toneNormal: 'smooth',
               toneCurve: 'linear',
               reflectedLight: 0,
-              exposure: 1,
+              composition: { exposure: 1 },
               irregularity: 0,
             },
             ...{ colorFill: 1, direction: 'y', strokeLayers: 'single', toneMapped: false },

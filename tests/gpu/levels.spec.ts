@@ -10,7 +10,7 @@ import { test } from './toolkitPage.js';
 type Way = Partial<
   Pick<
     HatchingMaterialOptions,
-    'technique' | 'crisp' | 'levelRule' | 'screenSpaceShare' | 'edgePixels' | 'strokeAngle' | 'strokeWidth'
+    'technique' | 'perTriangle' | 'screenSpaceShare' | 'edgePixels' | 'strokeAngle' | 'strokeWidth'
   >
 >;
 
@@ -20,10 +20,10 @@ const DRAWN_WIDTH = 1.9;
 const DISTANCES = [1, 2, 4, 8];
 
 const ways: Record<string, Way> = {
-  'adjacency, level by derivatives': { technique: 'adjacency', levelRule: 'derivatives' },
-  'adjacency, level by depth': { technique: 'adjacency', levelRule: 'depth' },
-  'crisp, level by derivatives': { technique: 'triangle', crisp: true, levelRule: 'derivatives' },
-  'crisp, level by depth': { technique: 'triangle', crisp: true, levelRule: 'depth' },
+  'adjacency, level by derivatives': { technique: 'adjacency', perTriangle: { levelRule: 'derivatives' } },
+  'adjacency, level by depth': { technique: 'adjacency', perTriangle: { levelRule: 'depth' } },
+  'crisp, level by derivatives': { technique: 'triangle', perTriangle: { sharpInk: true, levelRule: 'derivatives' } },
+  'crisp, level by depth': { technique: 'triangle', perTriangle: { sharpInk: true, levelRule: 'depth' } },
   'anchored, sized on the object': { technique: 'hatching', screenSpaceShare: 0 },
   'anchored, sized on the screen': { technique: 'hatching', screenSpaceShare: 1 },
 };
@@ -40,7 +40,7 @@ for (const [name, parameters] of Object.entries(ways)) {
       test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
       for (const width of widths) {
         // Strokes of thresholds swell with the tone: the first is the drawn width for the others.
-        const drawn = parameters.crisp || parameters.technique === 'hatching' ? widths[0] : DRAWN_WIDTH;
+        const drawn = parameters.perTriangle?.sharpInk || parameters.technique === 'hatching' ? widths[0] : DRAWN_WIDTH;
         expect(width / drawn, widths.join()).toBeGreaterThan(0.75);
         expect(width / drawn, widths.join()).toBeLessThan(1.25);
       }
@@ -53,7 +53,7 @@ for (const style of ['hatching', 'ruled', 'dashes'] as const) {
     `strokeWidth is the width on the screen, however wide the style draws: ${style}`,
     quickIf(style === 'ruled'),
     async ({ page }) => {
-      const parameters: Way = { technique: 'adjacency', levelRule: 'depth', strokeWidth: 3 };
+      const parameters: Way = { technique: 'adjacency', perTriangle: { levelRule: 'depth' }, strokeWidth: 3 };
       const widths = (await drawWall(page, parameters, [2, 4], { style })).map(medianStrokeWidth);
       test.info().annotations.push({ type: 'width', description: widths.map((width) => width.toFixed(2)).join(', ') });
       for (const width of widths) {
@@ -67,7 +67,9 @@ for (const style of ['hatching', 'ruled', 'dashes'] as const) {
 for (const crisp of [false, true]) {
   test(`face on, both rules choose the same level${crisp ? ', crisp' : ''}`, quickIf(!crisp), async ({ page }) => {
     const [derivatives, depth] = await Promise.all(
-      (['derivatives', 'depth'] as const).map((levelRule) => drawWall(page, { crisp, levelRule }, DISTANCES)),
+      (['derivatives', 'depth'] as const).map((levelRule) =>
+        drawWall(page, { perTriangle: { sharpInk: crisp, levelRule } }, DISTANCES),
+      ),
     );
     derivatives.forEach((picture, i) => {
       expect(difference(picture, depth[i]), `distance ${DISTANCES[i]}`).toBeLessThanOrEqual(12);
@@ -77,9 +79,9 @@ for (const crisp of [false, true]) {
 
 test('seen at a slant, depth chooses a finer level than derivatives, and so does anisotropy', async ({ page }) => {
   const [derivatives, depth, anisotropic] = [
-    await drawWall(page, { levelRule: 'derivatives' }, [4], { slant: 1.3 }),
-    await drawWall(page, { levelRule: 'depth' }, [4], { slant: 1.3 }),
-    await drawWall(page, { levelRule: 'derivatives' }, [4], { slant: 1.3, anisotropy: 8 }),
+    await drawWall(page, { perTriangle: { levelRule: 'derivatives' } }, [4], { slant: 1.3 }),
+    await drawWall(page, { perTriangle: { levelRule: 'depth' } }, [4], { slant: 1.3 }),
+    await drawWall(page, { perTriangle: { levelRule: 'derivatives' } }, [4], { slant: 1.3, anisotropy: 8 }),
   ].map(([picture]) => medianStrokeWidth(picture));
   expect(depth! / derivatives).toBeLessThan(0.75);
   expect(anisotropic! / derivatives).toBeLessThan(0.75);
@@ -105,7 +107,7 @@ for (const screenSpaceShare of [0, 1]) {
 test('where strokes crowd at a slant their tone is shown, not some of them: crisp, level by depth', async ({
   page,
 }) => {
-  const way: Way = { technique: 'triangle', crisp: true, levelRule: 'depth', ...upright };
+  const way: Way = { technique: 'triangle', perTriangle: { sharpInk: true, levelRule: 'depth' }, ...upright };
   const [hard, soft] = [
     await drawWall(page, { ...way, edgePixels: 0 }, [4], { slant: 1.47 }),
     await drawWall(page, way, [4], { slant: 1.47 }),

@@ -111,10 +111,10 @@ test('a slider does not recompile, and a frame allocates no textures or geometri
     for (let i = 0; i < 5; i++) {
       mesh.material.tilesPerObjectUnit = 2 + i;
       mesh.material.strokeAngle = i;
-      mesh.material.strokeOffset.x = i / 5;
+      mesh.material.perTriangle.strokeOffset.x = i / 5;
       mesh.material.ink.setRGB(i / 5, 0, 0);
       mesh.material.toneSteps = 2 + i;
-      mesh.material.blendAngle = 0.2 + i / 5;
+      mesh.material.perTriangle.blendAngle = 0.2 + i / 5;
       mesh.material.reflectedLight = i / 5;
       mesh.material.paperOpacity = i / 5;
       mesh.material.toneCurve = [
@@ -150,10 +150,10 @@ for (const technique of ['triangle', 'adjacency', 'hatching'] as const) {
       const before = pixelsOf(scene, renderer);
       right.material.tilesPerObjectUnit = changed.tilesPerObjectUnit;
       right.material.strokeAngle = changed.strokeAngle;
-      right.material.strokeOffset.copy(offset);
+      right.material.perTriangle.strokeOffset.copy(offset);
       const after = pixelsOf(scene, renderer);
       right.material = new window.toolkit.HatchingMaterial({ ...common, ...changed });
-      right.material.strokeOffset.copy(offset);
+      right.material.perTriangle.strokeOffset.copy(offset);
       return { before, after, fresh: pixelsOf(scene, renderer) };
     }, technique);
     const half = (pixels: number[], right: boolean) => pixels.filter((_, i) => Math.floor(i / 4) % 96 >= 48 === right);

@@ -162,7 +162,7 @@ for (const technique of ['triangle', 'adjacency', 'hatching'] as const) {
               const wall = await hatchedMesh(geometry, {
                 tonalArtMap,
                 technique,
-                crisp,
+                perTriangle: { sharpInk: crisp },
                 strokeLayers,
                 tilesPerObjectUnit,
               });
@@ -226,7 +226,7 @@ for (const technique of ['triangle', 'adjacency', 'hatching'] as const) {
             const wall = await hatchedMesh(new THREE.PlaneGeometry(4, 4), {
               tonalArtMap,
               technique,
-              crisp,
+              perTriangle: { sharpInk: crisp },
               tilesPerObjectUnit: 2,
             });
             const renderer = makeRenderer();
@@ -286,7 +286,7 @@ for (const technique of ['adjacency', 'hatching'] as const) {
                   await hatchedMesh(new THREE.PlaneGeometry(4, 4), {
                     tonalArtMap,
                     technique,
-                    ...(technique === 'adjacency' && { crisp: true }),
+                    ...(technique === 'adjacency' && { perTriangle: { sharpInk: true } }),
                     tilesPerObjectUnit: 0.5,
                     edgePixels: 3,
                     strokeLayers: 'tone',

@@ -23,10 +23,15 @@ test('meshes that share a material are drawn as with one for each, whatever is d
     const picture = new THREE.DataTexture(new Uint8Array([200, 90, 40, 255]), 1, 1);
     picture.needsUpdate = true;
     const plain = new THREE.MeshLambertMaterial({ map: picture });
-    const engraving = new UsersMaterial({ preset: 'engraving', exposure: 1 });
+    const engraving = new UsersMaterial({ preset: 'engraving', composition: { exposure: 1 } });
     // The same program, and other values: a program keeps those that were uploaded last.
-    const coarser = new UsersMaterial({ preset: 'engraving', exposure: 1, lineSpacing: 9, ink: 'maroon' });
-    const pencil = new UsersMaterial({ preset: 'pencil', exposure: 1, tonalArtMap: stripedMap() });
+    const coarser = new UsersMaterial({
+      preset: 'engraving',
+      composition: { exposure: 1 },
+      lineSpacing: 9,
+      ink: 'maroon',
+    });
+    const pencil = new UsersMaterial({ preset: 'pencil', composition: { exposure: 1 }, tonalArtMap: stripedMap() });
     const order = [
       engraving,
       engraving,
@@ -98,13 +103,17 @@ test('fifty materials of three presets, their clones among them, are drawn by th
     const geometry = await prepareHatchingGeometry(new THREE.IcosahedronGeometry(0.2), { layout: 'indexed' });
     const tonalArtMap = stripedMap();
     const firsts = (['pen', 'engraving', 'pencil'] as const).map(
-      (preset) => new UsersMaterial({ preset, exposure: 1, tonalArtMap }),
+      (preset) => new UsersMaterial({ preset, composition: { exposure: 1 }, tonalArtMap }),
     );
     const materials = Array.from({ length: 50 }, (_, i) => {
       const material =
         i < 25
           ? firsts[i % 3].clone()
-          : new UsersMaterial({ preset: (['pen', 'engraving', 'pencil'] as const)[i % 3], exposure: 1, tonalArtMap });
+          : new UsersMaterial({
+              preset: (['pen', 'engraving', 'pencil'] as const)[i % 3],
+              composition: { exposure: 1 },
+              tonalArtMap,
+            });
       material.setValues({ ink: new THREE.Color().setHSL(i / 50, 1, 0.3), opacity: 1 });
       material.highlightThreshold = 0.01 * (i % 7);
       material.crossAngle = 1 + 0.01 * i;

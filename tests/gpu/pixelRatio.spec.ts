@@ -115,7 +115,7 @@ const LOOKS: Record<string, Look> = {
   strokes: { material: { technique: 'hatching', screenSpaceShare: 1, strokeWidth: 6 } },
   'strokes sized on the object': { material: { technique: 'hatching', tilesPerObjectUnit: 0.3, strokeWidth: 6 } },
   'crisp strokes of triangles': {
-    material: { technique: 'adjacency', crisp: true, tilesPerObjectUnit: 0.3, strokeWidth: 6 },
+    material: { technique: 'adjacency', perTriangle: { sharpInk: true }, tilesPerObjectUnit: 0.3, strokeWidth: 6 },
   },
   'engraved lines': { material: { technique: 'engraving', screenSpaceShare: 1, lineSpacing: 12, irregularity: 0 } },
   'engraved lines sized half on the screen': {

@@ -92,7 +92,7 @@ export const defaults: ReferenceMaterial = {
   strokeLayers: 'single',
   crossFrom: 0.52,
   crossAngle: Math.PI / 3,
-  crisp: false,
+  sharpInk: false,
   levelRule: 'derivatives',
   inkBlend: 'cover',
   ink: [0, 0, 0],

@@ -317,14 +317,10 @@ for (const technique of techniques) {
     async ({ page }) => {
       const { elsewhere, means, inside } = await page.evaluate(
         async ([technique, shadowStrokes]) => {
-          const { THREE, SIZE, lightOf, casting, clearances, ball, ground, rendererOf, sceneOf, draw } = window.shading;
+          const { THREE, SIZE, lightOf, casting, clearances, ball, shadowGround, rendererOf, sceneOf, draw } =
+            window.shading;
           const light = casting(await lightOf('directional', 2));
-          const plane = await ground(technique, {
-            toneModel: 'shadow',
-            paperOpacity: 0,
-            transparent: true,
-            ink: '#204060',
-          });
+          const plane = await shadowGround(technique, { paperOpacity: 0, transparent: true, ink: '#204060' });
           const scene = sceneOf(plane, ball(), light, new THREE.AmbientLight(0xffffff, 1));
           const renderer = rendererOf('PCF', { alpha: true });
           renderer.setClearAlpha(0);
@@ -353,14 +349,14 @@ for (const technique of techniques) {
 
 test('without a shadow the tone of shadows alone is nothing at all', async ({ page }) => {
   const ink = await page.evaluate(async () => {
-    const { THREE, lightOf, ground, sceneOf, draw } = window.shading;
+    const { THREE, lightOf, shadowGround, sceneOf, draw } = window.shading;
     const inkUnder = async (...lights: InstanceType<typeof THREE.Light>[]) => {
       // A curve that prints blank paper, as of chalk.
       const toneCurve = [
         [0, 0.5],
         [1, 0],
       ] as const;
-      const pixels = draw(sceneOf(await ground('hatching', { toneModel: 'shadow', toneCurve }), ...lights));
+      const pixels = draw(sceneOf(await shadowGround('hatching', { toneCurve }), ...lights));
       return pixels.reduce((least, value) => Math.min(least, value), 255);
     };
     return [

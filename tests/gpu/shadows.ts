@@ -4,11 +4,13 @@ import * as THREE from 'three';
 import {
   HatchingMaterial,
   type HatchingMaterialParameters,
+  HatchingShadowMaterial,
+  type HatchingShadowMaterialParameters,
   type HatchingTechnique,
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
-import { plainLook } from '../../tools/plainLook.js';
+import { plainLook, plainShadow } from '../../tools/plainLook.js';
 
 export type LightKind = 'directional' | 'spot' | 'point' | 'point over a seam' | 'sun';
 export type Filter = 'Basic' | 'PCF' | 'VSM';
@@ -221,24 +223,36 @@ function strokeMap(): Promise<TonalArtMap> {
   return strokes;
 }
 
-/** A plane of many triangles that receives shadows. With `isGrey` and a map it shows its tone as a flat grey. */
-async function ground(
-  technique: HatchingTechnique,
-  parameters: HatchingMaterialParameters = {},
-  isGrey = false,
-): Promise<THREE.Mesh<THREE.BufferGeometry, HatchingMaterial>> {
+/** A plane of many triangles that receives shadows, without its material, and what materials of all kinds have there. */
+async function plane(technique: HatchingTechnique, isGrey: boolean) {
   const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(2.4, 2.4, 5, 5), { adjacency: true });
   const tonalArtMap = isGrey ? window.toolkit.greyMap() : await strokeMap();
-  const material = new HatchingMaterial(
-    plainLook({
-      technique,
-      ...(technique === 'engraving' ? { screenSpaceShare: 1, lineSpacing: 6 } : { tonalArtMap, tilesPerObjectUnit: 1 }),
-      ...parameters,
-    }),
-  );
-  const mesh = new THREE.Mesh(geometry, material);
+  const sizes =
+    technique === 'engraving' ? { screenSpaceShare: 1, lineSpacing: 6 } : { tonalArtMap, tilesPerObjectUnit: 1 };
+  return { geometry, look: { technique, ...sizes } };
+}
+
+function receiving<Drawn extends HatchingMaterial>(geometry: THREE.BufferGeometry, material: Drawn) {
+  const mesh = new THREE.Mesh<THREE.BufferGeometry, Drawn>(geometry, material);
   mesh.receiveShadow = true;
   return mesh;
+}
+
+/** A ground. With `isGrey` and a map it shows its tone as a flat grey. */
+async function ground(technique: HatchingTechnique, parameters: HatchingMaterialParameters = {}, isGrey = false) {
+  const { geometry, look } = await plane(technique, isGrey);
+  return receiving(geometry, new HatchingMaterial(plainLook({ ...look, ...parameters })));
+}
+
+/** The same that shows shadows alone, on paper of its own. */
+async function shadowGround(
+  technique: HatchingTechnique,
+  parameters: HatchingShadowMaterialParameters = {},
+  isGrey = false,
+) {
+  const { geometry, look } = await plane(technique, isGrey);
+  const opaque = { transparent: false, paperOpacity: 1 };
+  return receiving(geometry, new HatchingShadowMaterial(plainShadow({ ...look, ...opaque, ...parameters })));
 }
 
 const renderers = new Map<string, THREE.WebGLRenderer>();
@@ -312,6 +326,7 @@ const shading = {
   ellipse,
   strokeMap,
   ground,
+  shadowGround,
   rendererOf,
   above,
   sceneOf,

@@ -146,7 +146,7 @@ function setForm(geometry: BufferGeometry, form: NonNullable<LineSettings['form'
 type MadeMaterial = Material &
   Pick<
     HatchingMaterialProperties,
-    'latticeSpacing' | 'color' | 'edgePixels' | 'ink' | 'paper' | 'screenSpaceShare' | 'strokeOffset' | 'strokeAngle'
+    'latticeSpacing' | 'color' | 'edgePixels' | 'ink' | 'paper' | 'perTriangle' | 'screenSpaceShare' | 'strokeAngle'
   >;
 
 /** A spec as a scene. */
@@ -182,7 +182,7 @@ export async function specScene(
   const geometry = isPerFragment ? source : await prepareHatchingGeometry(source, { adjacency: true });
 
   const { form: _form, ...lines } = spec.lines ?? {};
-  const takesThresholds = technique === 'hatching' || spec.material.crisp;
+  const takesThresholds = technique === 'hatching' || spec.material.sharpInk;
   const { ink, paper, color, strokeOffset, strokeAngle, ...material } = spec.material;
   const hatching = make(
     plainLook({
@@ -194,7 +194,7 @@ export async function specScene(
     }),
   );
   // These properties are set separately, since parameters that the technique does not use would cause a warning.
-  hatching.strokeOffset.set(...strokeOffset);
+  hatching.perTriangle.strokeOffset.set(...strokeOffset);
   hatching.strokeAngle = strokeAngle;
   hatching.edgePixels = 0;
   if (spec.dots) Object.assign(hatching, { ...spec.dots, technique: 'stipple', tonalArtMap: null });

@@ -48,7 +48,9 @@ for (const technique of ['triangle', 'adjacency', 'hatching', 'engraving'] as co
                 lightMap: second,
                 vertexColors: true,
                 clippingPlanes: [new THREE.Plane(new THREE.Vector3(1, 0, 0), 2)],
-                ...(technique === 'hatching' || technique === 'engraving' ? {} : { levelRule: 'depth' }),
+                ...(technique === 'hatching' || technique === 'engraving'
+                  ? {}
+                  : { perTriangle: { levelRule: 'depth' } }),
               });
               mesh.receiveShadow = true;
               const spot = new THREE.SpotLight(0xffffff, 3);

@@ -46,7 +46,7 @@ export interface ReferenceMaterial {
   /** Default: 'tone'. */
   shadowStrokes?: 'tone' | 'cross' | 'reorient';
   /** Whether thresholds are blended and compared once, instead of blending greys. */
-  crisp: boolean;
+  sharpInk: boolean;
   levelRule: 'derivatives' | 'depth';
   inkBlend: 'cover' | 'multiply';
   ink: Vec3;

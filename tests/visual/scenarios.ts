@@ -40,7 +40,7 @@ export interface Scenario {
     Pick<
       HatchingMaterialOptions,
       | 'technique'
-      | 'crisp'
+      | 'perTriangle'
       | 'tilesPerObjectUnit'
       | 'strokeAngle'
       | 'screenSpaceShare'
@@ -52,7 +52,6 @@ export interface Scenario {
       | 'reflectedLight'
       | 'strokeLayers'
       | 'crossFrom'
-      | 'levelRule'
       | 'direction'
       | 'direction'
       | 'irregularity'
@@ -291,7 +290,7 @@ export const scenarios: readonly Scenario[] = [
     name: 'beyond-crisp',
     figure: 0,
     sentence: "The paper's frames and weights, with thresholds blended instead of greys.",
-    material: { technique: 'adjacency', crisp: true, tilesPerObjectUnit: 1.5 },
+    material: { technique: 'adjacency', perTriangle: { sharpInk: true }, tilesPerObjectUnit: 1.5 },
   },
   {
     ...bunny,
@@ -355,7 +354,7 @@ export const scenarios: readonly Scenario[] = [
     ...floor,
     name: 'levels-floor-depth',
     sentence: 'The same floor, its level by depth as in the paper: strokes as wide as drawn from near to far.',
-    material: { tilesPerObjectUnit: 10, levelRule: 'depth' },
+    material: { tilesPerObjectUnit: 10, perTriangle: { levelRule: 'depth' } },
   },
   {
     ...floor,
@@ -373,7 +372,7 @@ export const scenarios: readonly Scenario[] = [
     model: 'dragon' as const,
     camera: { position: [0, 0.1 * distance, distance] as const, fov: 28 },
     lights: sun(1.2, 1, 1),
-    material: { tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, levelRule: 'depth' as const },
+    material: { tilesPerObjectUnit: 2, strokeAngle: QUARTER_TURN, perTriangle: { levelRule: 'depth' } as const },
   })),
   {
     ...flat,

@@ -1,6 +1,6 @@
 import type { Camera, Material, Scene, ShadowMapType } from 'three';
 import type { Node } from 'three/webgpu';
-import type { HatchingMaterialParameters } from 'three-hatching';
+import type { HatchingMaterialParameters, HatchingShadowMaterialParameters } from 'three-hatching';
 
 /** GLSL on WebGLRenderer, or nodes on WebGPURenderer with its WebGL 2 backend or with WebGPU. */
 export type Drawn = 'glsl' | 'forceWebGL' | 'webgpu';
@@ -12,6 +12,8 @@ export interface Kit {
   readonly drawn: Drawn;
   /** `HatchingMaterial` or `HatchingNodeMaterial`, ready to draw. */
   hatching(parameters: HatchingMaterialParameters): Promise<Material>;
+  /** `HatchingShadowMaterial` or `HatchingShadowNodeMaterial`, ready to draw. */
+  shadows(parameters: HatchingShadowMaterialParameters): Promise<Material>;
   /** Chooses between two equal materials or objects: in GLSL, or of nodes. */
   either<Glsl, Nodes>(glsl: () => Glsl, nodes: () => Nodes): Glsl | Nodes;
 }

@@ -1,4 +1,13 @@
-import { type Light, type LightShadow, Mesh, PlaneGeometry, PointLight, SpotLight, type Vector3Tuple } from 'three';
+import {
+  type Light,
+  type LightShadow,
+  type Material,
+  Mesh,
+  PlaneGeometry,
+  PointLight,
+  SpotLight,
+  type Vector3Tuple,
+} from 'three';
 import type { HatchingMaterialParameters } from 'three-hatching';
 import { type KnotStage, knot, shadowed } from './knot.js';
 import type { Kit } from './SceneCase.js';
@@ -15,18 +24,18 @@ function casting<Shining extends Casting>(light: Shining, ...[x, y, z]: Vector3T
   return light;
 }
 
-/** A knot that casts its shadow on a ground. @param ground its material; by default that of the knot */
+/** A knot that casts its shadow on a ground. @param ground the ground's material; by default that of the knot */
 export async function onGround(
   kit: Kit,
   parameters: HatchingMaterialParameters,
-  ground: HatchingMaterialParameters | null = null,
+  ground: Material | null = null,
 ): Promise<KnotStage> {
   const stage = shadowed(knot(await kit.hatching(parameters)));
   stage.mesh.scale.setScalar(0.7);
   const { camera } = stage.sun.shadow;
   Object.assign(camera, { left: -2, right: 2, top: 2, bottom: -2 });
   stage.sun.position.set(2.2, 2.4, 0.4);
-  const floor = new Mesh(new PlaneGeometry(4, 4), ground ? await kit.hatching(ground) : stage.mesh.material);
+  const floor = new Mesh(new PlaneGeometry(4, 4), ground ?? stage.mesh.material);
   floor.rotation.x = -Math.PI / 2;
   floor.position.y = -0.75;
   floor.receiveShadow = true;

@@ -1,8 +1,8 @@
 /** Draws scenes in GLSL on WebGLRenderer and of nodes on WebGPURenderer, and says how much the pictures differ. */
 import { Color, type ColorRepresentation, Mesh, MeshBasicMaterial, PCFShadowMap, SphereGeometry } from 'three';
 
-import { HatchingMaterial } from 'three-hatching';
-import { HatchingNodeMaterial } from 'three-hatching/webgpu';
+import { HatchingMaterial, HatchingShadowMaterial } from 'three-hatching';
+import { HatchingNodeMaterial, HatchingShadowNodeMaterial } from 'three-hatching/webgpu';
 import { lackOfWebGPU } from '../../tools/browser/lackOfWebGPU.js';
 import type { HatchingSpec } from '../gpu/hatchingSpec.js';
 import { specScene } from '../gpu/specScene.js';
@@ -33,6 +33,12 @@ const kitOf = (drawn: Drawn): Kit => ({
   drawn,
   async hatching(parameters) {
     const material = drawn === 'glsl' ? new HatchingMaterial(parameters) : new HatchingNodeMaterial(parameters);
+    await material.ready;
+    return material;
+  },
+  async shadows(parameters) {
+    const material =
+      drawn === 'glsl' ? new HatchingShadowMaterial(parameters) : new HatchingShadowNodeMaterial(parameters);
     await material.ready;
     return material;
   },

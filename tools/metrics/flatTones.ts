@@ -38,7 +38,7 @@ export async function measureFlatTones(renderer: WebGLRenderer): Promise<FlatTon
       tonalArtMap: map,
       toneCurve: 'linear',
       reflectedLight: 0,
-      exposure: 1,
+      composition: { exposure: 1 },
       ink: 'black',
       paper: 'white',
     });

@@ -39,7 +39,7 @@ const TECHNIQUES: [string, HatchingMaterialParameters][] = [
   ['engraving, x', { technique: 'engraving', screenSpaceShare: 1, direction: 'x' }],
   ['engraving, form', { technique: 'engraving', screenSpaceShare: 1, direction: 'form' }],
   ['adjacency', { technique: 'adjacency' }],
-  ['adjacency, crisp', { technique: 'adjacency', crisp: true }],
+  ['adjacency, crisp', { technique: 'adjacency', perTriangle: { sharpInk: true } }],
   ['triangle', { technique: 'triangle' }],
 ];
 
@@ -225,8 +225,7 @@ async function measureDrawnLength(tonalArtMap: TonalArtMap): Promise<number> {
   const material = new HatchingMaterial({
     tonalArtMap,
     technique: 'triangle',
-    crisp: true,
-    levelRule: 'depth',
+    perTriangle: { sharpInk: true, levelRule: 'depth' },
     edgePixels: 0,
     tilesPerObjectUnit: MIDDLE.tilesPerObjectUnit,
   });

@@ -44,7 +44,7 @@ export async function measurePrintedStrokes(renderer: WebGLRenderer): Promise<Pr
     const material = new HatchingMaterial({
       ...parameters,
       tonalArtMap: map,
-      exposure: 1,
+      composition: { exposure: 1 },
       toneCurve: 'linear',
       reflectedLight: 0,
       ink: 'black',

@@ -46,7 +46,14 @@ function looks(): [string, HatchingMaterialParameters, Parameters<typeof TonalAr
   return [
     ...Object.entries(presets).map(([name, { material, tonalArtMap }]): ReturnType<typeof looks>[number] => [
       name,
-      { ...material, toneCurve: 'linear', reflectedLight: 0, exposure: 1, ink: 'black', paper: 'white' },
+      {
+        ...material,
+        toneCurve: 'linear',
+        reflectedLight: 0,
+        composition: { exposure: 1 },
+        ink: 'black',
+        paper: 'white',
+      },
       tonalArtMap,
     ]),
     ...FIELDS.map((direction): ReturnType<typeof looks>[number] => [

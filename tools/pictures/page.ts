@@ -16,6 +16,7 @@ import {
   bakeOcclusion,
   HatchingMaterial,
   type HatchingPreset,
+  HatchingShadowMaterial,
   type PresetName,
   presets,
   scalePreset,
@@ -188,8 +189,9 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
   if (picture.ground) {
     const ground = groundBelow(holder);
     scene.add(ground);
-    hatched.push(await applyHatching(ground, { ...scaled, outlines: false }));
-    if (picture.ground === 'shadow') showOnlyShadows(ground.material as unknown as HatchingMaterial);
+    const floor = await applyHatching(ground, { ...scaled, outlines: false });
+    hatched.push(floor);
+    if (picture.ground === 'shadow') ground.material = shadowsOf(floor.materials[0], scaled.shadow);
   }
   await Promise.all(hatched.map(({ formReady }) => formReady));
   scene.traverse((object) => {
@@ -235,8 +237,8 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
 
 /** A preset with the strokes of a map. */
 function lookOfHand({ material }: HatchingPreset): HatchingPreset['material'] {
-  const { ink, paper, toneCurve, reflectedLight, exposure, colorHatching, colorFill, hollowStrength } = material;
-  const tones = { toneCurve, reflectedLight, exposure, colorHatching, colorFill, hollowStrength };
+  const { ink, paper, toneCurve, reflectedLight, composition, colorHatching, colorFill, hollowStrength } = material;
+  const tones = { toneCurve, reflectedLight, composition, colorHatching, colorFill, hollowStrength };
   return { technique: 'hatching', screenSpaceShare: 1, ink, paper, ...tones };
 }
 
@@ -262,11 +264,11 @@ function groundBelow(object: Group): Mesh {
   return ground;
 }
 
-function showOnlyShadows(material: HatchingMaterial): void {
-  material.toneModel = 'shadow';
-  material.paperOpacity = 0;
-  material.transparent = true;
-  material.depthWrite = false;
+/** A material that shows shadows alone, in the strokes of a floor. */
+function shadowsOf(floor: HatchingMaterial, shadow: HatchingPreset['shadow']): HatchingShadowMaterial {
+  const material = new HatchingShadowMaterial().copy(floor as HatchingShadowMaterial);
+  material.setValues({ transparent: true, paperOpacity: 0, depthWrite: false, ...shadow });
+  return material;
 }
 
 /**

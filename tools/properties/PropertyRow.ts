@@ -1,6 +1,7 @@
 import type {
   HatchingCondition,
   HatchingMeasure,
+  HatchingOwner,
   NumberRange,
   TechniqueFamily,
 } from '../../src/look/HatchingProperty.js';
@@ -18,10 +19,21 @@ export type PropertyRow =
   | SwitchRow
   | CurveRow;
 
-export type PropertyGroup = 'Strokes' | 'Dry media' | 'Tone' | 'Composition' | 'Surface' | 'Colour' | 'Checking';
+export type PropertyGroup =
+  | 'Strokes'
+  | 'Dry media'
+  | 'Tone'
+  | 'Surface'
+  | 'Colour'
+  | 'Checking'
+  | 'Composition'
+  | 'Per triangle'
+  | 'Shadows on a ground';
 
 interface BaseRow {
   group: PropertyGroup;
+  /** The object that has it; left out: `HatchingMaterial` itself. */
+  owner?: HatchingOwner;
   /** Its description for JSDoc and documentation, in Markdown. Unit, range, default and techniques are added. */
   sentence: string;
   /** The techniques that read it. Left out: all. */
@@ -44,8 +56,8 @@ export interface NumberRow extends BaseRow {
   measureOnScreen?: HatchingMeasure;
   /** Left out: every finite number. */
   range?: NumberRange;
-  /** Whether `'auto'` may be in its place beside a default that is a number. */
-  isAuto?: true;
+  /** Words that may be in its place beside a default that is a number. */
+  words?: readonly ('auto' | 'fit')[];
   uniform?: false;
 }
 

@@ -86,7 +86,7 @@ function describeMeasure(row: PropertyRow): string {
       .replace(`${Math.PI / 2}`, 'π/2')
       .replace(`${Math.PI}`, 'π')}`;
   const number = [measure, range].filter(Boolean).join(' ');
-  return row.kind === 'number' && row.isAuto ? `${number}, or \`'auto'\`` : number;
+  return row.kind === 'number' && row.words ? `${number}, or ${row.words.map(inCode).join(' or ')}` : number;
 }
 
 const describeConditions = (when: HatchingCondition | readonly HatchingCondition[]): string =>

@@ -5,7 +5,7 @@ export interface TechniqueRow {
   /** Its description for JSDoc and documentation, in Markdown. */
   sentence: string;
   family: TechniqueFamily;
-  /** The texture it reads, unless the material is crisp: that takes thresholds. */
+  /** The texture it reads, unless the ink is sharp: that takes thresholds. */
   map: 'tonalArtMap' | 'thresholdMap' | 'none';
 }
 

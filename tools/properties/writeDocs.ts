@@ -1,14 +1,25 @@
+import type { HatchingOwner } from '../../src/look/HatchingProperty.js';
 import { describe } from './describe.js';
 import type { PropertyRow } from './PropertyRow.js';
-import { TECHNIQUES } from './techniques.js';
 
 const START = '<!-- Written by `npm run properties` from tools/properties/table.ts. -->';
 const END = '<!-- end of the properties -->';
 
-/** The text above the table of properties that only the paper's techniques read. */
-const PAPER = `## Properties of \`triangle\` and \`adjacency\`
+/** The owners of properties beside `HatchingMaterial`, with the text above their tables. */
+const OWNERS: Readonly<Record<HatchingOwner, string>> = {
+  composition: `## Properties of \`composition\`
 
-Only the techniques of [the paper by Suarez et al.](research/paper.md) read these. The others draw as if they were not there.`;
+What counts for a whole picture, not for one surface. \`composition\` is a \`HatchingComposition\`, which materials may share, as three's
+materials share the fog of their scene: \`applyHatching\` gives all materials of a scene one ([composition.md](composition.md)).`,
+  perTriangle: `## Properties of \`perTriangle\`
+
+Only the techniques of [the paper by Suarez et al.](research/paper.md), \`triangle\` and \`adjacency\`, read these. The others draw as if
+they were not there.`,
+  shadowMaterial: `## Properties of HatchingShadowMaterial
+
+A \`HatchingShadowMaterial\` shows the shadows that fall on it, and nothing else, as three's \`ShadowMaterial\` does
+([shadows.md](shadows.md)). It has these beside all others.`,
+};
 
 /**
  * docs/material.md with the tables of properties as they are now.
@@ -20,22 +31,19 @@ export function writePropertyDocs(page: string, table: Readonly<Record<string, P
   if (start === -1 || end < start) {
     throw new Error(`writePropertyDocs: docs/material.md needs the lines ${START} and ${END}.`);
   }
-  const rows = Object.entries(table);
-  const ofPaper = rows.filter(([, row]) => isOfPaper(row));
-  const others = rows.filter(([, row]) => !isOfPaper(row));
-  const tables = `${propertyTable(others)}\n\n${PAPER}\n\n${propertyTable(ofPaper)}`;
+  const rowsOf = (owner?: HatchingOwner) => Object.entries(table).filter(([, row]) => row.owner === owner);
+  const owned = Object.entries(OWNERS).map(
+    ([owner, words]) => `${words}\n\n${propertyTable(rowsOf(owner as HatchingOwner))}`,
+  );
+  const tables = [propertyTable(rowsOf()), ...owned].join('\n\n');
   return `${page.slice(0, start)}${START}\n\n${tables}\n\n${page.slice(end)}`;
 }
-
-/** Whether only the techniques of the paper by Suarez et al. read a property. */
-const isOfPaper = ({ techniques }: PropertyRow): boolean =>
-  techniques?.every((name) => TECHNIQUES[name as keyof typeof TECHNIQUES].family === 'perTriangle') ?? false;
 
 function propertyTable(rows: readonly (readonly [string, PropertyRow])[]): string {
   const lines = ['| property | default | unit and range | counts for | meaning |', '| --- | --- | --- | --- | --- |'];
   let group = '';
   for (const [name, row] of rows) {
-    if (row.group !== group) {
+    if (row.group !== group && row.owner === undefined) {
       group = row.group;
       lines.push(`| **${group}** | | | | |`);
     }

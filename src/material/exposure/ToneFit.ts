@@ -2,7 +2,6 @@ import type { IUniform } from 'three';
 import { PRESET_MATERIALS } from '../../look/presetMaterials.js';
 import type { HatchingLook } from '../../look/queries.js';
 import type { ToneCurve } from '../fitToneCurve.js';
-import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 
 /** The parameters that turn the light and the colours of a scene into tone. */
 export interface ToneFit {
@@ -17,7 +16,7 @@ export interface ToneFit {
 /** Writes the exposure of a material from a fit. Allocates nothing. */
 export function writeFit(
   fit: ToneFit,
-  { exposureCompensation }: HatchingMaterialProperties,
+  { composition: { exposureCompensation } }: { readonly composition: { readonly exposureCompensation: number } },
   { exposure, colorExposure }: Readonly<Record<string, IUniform>>,
 ): void {
   exposure.value.set(fit.scale, fit.offset).multiplyScalar(exposureCompensation);
@@ -40,8 +39,8 @@ function isByHand(curve: ToneCurve): boolean {
 }
 
 /**
- * Whether the exposure of a material is fitted to its scene: if it is `'auto'`, except that a user's own tone curve already maps light
+ * Whether the exposure of a material is fitted to its scene: if it is `'fit'` or `'auto'`, except that a user's own tone curve already maps light
  * to tone, and that shadows alone are a share of the light, whatever its strength.
  */
-export const isFitted = ({ exposure, toneCurve, toneModel }: HatchingLook): boolean =>
-  exposure === 'auto' && toneModel !== 'shadow' && !isByHand(toneCurve as ToneCurve);
+export const isFitted = ({ composition, toneCurve, isHatchingShadowMaterial }: HatchingLook): boolean =>
+  typeof composition?.exposure === 'string' && isHatchingShadowMaterial !== true && !isByHand(toneCurve as ToneCurve);

@@ -1,16 +1,13 @@
 import { type Camera, type IUniform, type Object3D, Vector3, Vector4, type WebGLRenderer } from 'three';
 import { isUsedBy, propertyOf } from '../../look/queries.js';
+import type { HatchingCompositionProperties } from '../groups/ownedProperties.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
-import type { SceneExtent } from './SceneExtent.js';
 import { automaticDepthFade, type SeenDepths } from './seenDepths.js';
 
 type Uniforms = Record<string, IUniform>;
 
 /** The properties that decide how much weight the drawing has where: those of a HatchingMaterial. */
-export type FadingLook = Pick<
-  HatchingMaterialProperties,
-  'technique' | 'depthFade' | 'depthFadeStart' | 'depthFadeEnd' | 'focus' | 'focusRadius' | 'vignette'
-> & { readonly extent: SceneExtent | null };
+export type FadingLook = Pick<HatchingMaterialProperties, 'technique' | 'composition'>;
 
 /** The uniforms of shaders/chunks/fading.glsl. */
 export const createFadingUniforms = (): Uniforms => ({
@@ -40,10 +37,11 @@ export function writeFading(look: FadingLook | null, u: Uniforms, renderer?: Web
     return;
   }
   // Most scenes do not fade, and need not be measured.
-  const seen = look.depthFade !== 0 && renderer && camera && look.extent?.seenFrom(renderer, camera);
-  writeDepthFading(look, seen || null, camera, u.depthFading.value);
-  u.vignette.value = look.vignette;
-  const { focus, focusRadius } = look;
+  const { composition } = look;
+  const seen = composition.depthFade !== 0 && renderer && camera && composition.extent?.seenFrom(renderer, camera);
+  writeDepthFading(composition, seen || null, camera, u.depthFading.value);
+  u.vignette.value = composition.vignette;
+  const { focus, focusRadius } = composition;
   if (!focus) {
     focusing.w = 0;
     return;
@@ -60,7 +58,7 @@ export function writeFading(look: FadingLook | null, u: Uniforms, renderer?: Web
  * @param seen the depth range of the scene; null if it was not measured: depths are then in view units
  */
 export function writeDepthFading(
-  { depthFade, depthFadeStart, depthFadeEnd }: FadingLook,
+  { depthFade, depthFadeStart, depthFadeEnd }: HatchingCompositionProperties,
   seen: Readonly<SeenDepths> | null,
   camera: Camera | undefined,
   fading: Vector3,

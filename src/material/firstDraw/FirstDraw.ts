@@ -1,12 +1,13 @@
 import type { BufferGeometry, Camera, IUniform, Material, Object3D, WebGLRenderer } from 'three';
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
 import type { HatchingLook } from '../../look/queries.js';
+import type { HatchingComposition } from '../groups/HatchingComposition.js';
 import type { Mistake } from './sentences.js';
 
 /** The parts of a hatching material that the checks read. */
 export interface DrawnMaterial extends Material, HatchingLook {
   readonly technique: HatchingTechnique;
-  readonly exposure: number | 'auto';
+  readonly composition: HatchingComposition;
   readonly lights: boolean;
   readonly uniforms: Readonly<Record<string, IUniform>>;
   readonly ready: Promise<void>;

@@ -25,7 +25,7 @@ import {
   POINT_BITS,
   POINT_MASK,
 } from '../../mesh/bake/outlineLayout.js';
-import { checkColor } from '../checkValues.js';
+import { checkColor } from '../checkProperty.js';
 import { FrameStamp } from '../FrameStamp.js';
 import { type FadingLook, takesWeight, writeFading, writeImportance } from '../fading/fading.js';
 import { writeSheet } from '../pictureOffset.js';

@@ -21,15 +21,15 @@ const files: ShaderFiles = import.meta.glob(
   [
     './hatching.*',
     './{chunks,environment,shadowMaps}/*',
-    '!./chunks/{dryMedia,tooth,lineCoverage,meanLight}.glsl',
+    '!./chunks/{dryMedia,tooth,lineCoverage,meanLight,softShadows,shadowSearch}.glsl',
     './perFragment/*',
     '!./perFragment/screenGradient.glsl',
   ],
   { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
 );
 
-/** Chunks of techniques, included by name, that are empty with others. */
-const ABSENT: Readonly<Record<string, string>> = { dryMedia: '', 'technique/stipple': '' };
+/** Chunks of techniques and of shadows on a ground, included by name, that are empty without them. */
+const ABSENT: Readonly<Record<string, string>> = { dryMedia: '', 'technique/stipple': '', softShadows: '' };
 
 // Shaders are resolved on first use, so that a page that never hatches does no work, and a bundler may leave this out.
 const made = new Map<ShaderFiles, Partial<Record<TechniqueFolder, Shaders>>>();
@@ -37,7 +37,7 @@ const made = new Map<ShaderFiles, Partial<Record<TechniqueFolder, Shaders>>>();
 /**
  * The shaders of a technique.
  *
- * @param further the files of the part that the technique needs
+ * @param further the files of the part that the technique needs, and of the kind of material
  */
 export function hatchingShaders(technique: HatchingTechnique, further: ShaderFiles): Shaders {
   const folder = folderOf(technique);

@@ -10,7 +10,7 @@ import { cornerLayout } from '../../mesh/bake/attributeLayouts.js';
 import { VERTEX_LAYOUTS } from '../deformation/canDeform.js';
 import { TONE_CURVE_SPANS } from '../fitToneCurve.js';
 import { lightCountDefines } from '../three/lightKinds.js';
-import { channelDefine, TONE_CURVES } from './defineNames.js';
+import { channelDefine, SHADOWS_ALONE, TONE_CURVES } from './defineNames.js';
 import { definesOf } from './shaderText.js';
 
 const numbered = (prefix: string, names: readonly string[]) =>
@@ -23,6 +23,7 @@ export const conventionsChunk = (): string =>
       property.kind === 'choice' ? numbered(property.define, property.choices) : [],
     ),
     ...numbered('TONE_CURVE', TONE_CURVES),
+    `#define TONE_MODEL_SHADOW ${SHADOWS_ALONE}`,
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
     definesOf({ ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...FADING_CONSTANTS }),
     definesOf({ TONE_CURVE_SPANS, ...SHADOW_SAMPLES }, ''),

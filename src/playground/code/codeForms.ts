@@ -8,7 +8,8 @@ import { type CodeDrawing, type CodeModel, IMPORT_MAP, type ModelSource, modelSo
 
 const THREE =
   'AnimationMixer BoxGeometry BufferGeometry Color DirectionalLight DoubleSide Float32BufferAttribute Group MathUtils Mesh MeshStandardMaterial OrthographicCamera PerspectiveCamera PlaneGeometry PointLight Scene Sphere SpotLight Vector3 WebGLRenderer';
-const HATCHING = 'HatchingBackground TonalArtMap applyHatching bakeOcclusion presets scalePreset';
+const HATCHING =
+  'HatchingBackground HatchingShadowMaterial TonalArtMap applyHatching bakeOcclusion prepareHatchingGeometry presets scalePreset';
 
 /** The import declaration of what code uses of a package. */
 const imported = (code: string, names: string, from: string, more: readonly string[] = []): string => {
@@ -147,24 +148,39 @@ scene.add(root);`;
 function surroundings({ settings, groundHeight }: CodeDrawing): string {
   const { ground, groundShadow, background, material } = codeLook(settings);
   const { size, parts } = GROUND;
-  const shadow = entries({ ...groundShadow, transparent: true, paperOpacity: 0, depthWrite: false });
-  const sheet = `const ground = new Mesh(new PlaneGeometry(${size}, ${size}, ${parts}, ${parts}).rotateX(-Math.PI / 2));
-ground.position.y = ${round(groundHeight)};
+  const scale = round(material.tilesPerObjectUnit ?? 1);
+  const plane = `new PlaneGeometry(${size}, ${size}, ${parts}, ${parts}).rotateX(-Math.PI / 2)`;
+  const standing = `ground.position.y = ${round(groundHeight)};
 ground.receiveShadow = true;
-scene.add(ground);
-const [{ tonalArtMap, extent }] = hatched.materials;
-const floor = await applyHatching(ground, {
+scene.add(ground);\n`;
+  const shadow = `const ground = new Mesh(
+  await prepareHatchingGeometry(${plane}, { adjacency: true }),
+  new HatchingShadowMaterial({
+    ...scalePreset(look, share).material,
+    ${entries(groundShadow).join(', ')}, depthWrite: false,
+    color: '${settings.color}',
+    tonalArtMap: hatched.materials[0].tonalArtMap,
+    tilesPerObjectUnit: ${scale},
+    composition: hatched.composition,
+  }),
+);
+${standing}`;
+  const floor = `const ground = new Mesh(${plane});
+${standing}await applyHatching(ground, {
   preset: scalePreset(look, share),
   outlines: false,
-  material: { color: '${settings.color}'${when(ground === 'shadow', `, ${shadow.join(', ')}`)}, tonalArtMap },
-  tilesPerWorldUnit: ${round(material.tilesPerObjectUnit ?? 1)},
-});
-floor.materials[0].extent = extent;\n`;
+  material: {
+    color: '${settings.color}',
+    tonalArtMap: hatched.materials[0].tonalArtMap,
+    composition: hatched.composition,
+  },
+  tilesPerWorldUnit: ${scale},
+});\n`;
   const { spacing = 0, ...look } = background ?? {};
-  const field = `scene.add(new HatchingBackground(hatched.materials[0].extent, {
+  const field = `scene.add(new HatchingBackground(hatched.composition.extent, {
   ${[...entries(look), `spacing: ${round(spacing)} * share`].join(',\n  ')},
 }));\n`;
-  return `${when(ground !== 'none', sheet)}${when(background, field)}`;
+  return `${when(ground === 'shadow', shadow)}${when(ground === 'floor', floor)}${when(background, field)}`;
 }
 
 /** Code that draws what the page shows, and what it is for, in one sentence. */

@@ -1,6 +1,19 @@
 import { MathUtils, type Vector2 } from 'three';
-import { type HatchingPropertyName, type HatchingTechnique, presets } from 'three-hatching';
-import { counts, defaultOf, HATCHING_OUTLINE_DEFAULTS, type HatchingLook, pixelPower } from 'three-hatching/facts';
+import {
+  type HatchingMaterialParameters,
+  type HatchingPropertyName,
+  type HatchingTechnique,
+  type PresetName,
+  presets,
+} from 'three-hatching';
+import {
+  counts,
+  defaultOf,
+  HATCHING_OUTLINE_DEFAULTS,
+  type HatchingLook,
+  parametersOf,
+  pixelPower,
+} from 'three-hatching/facts';
 import { SHADOWS, SUN_DISTANCE } from '../../viewer/sceneSetup/LightRig.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
 import { PRESET_NAMES } from '../../viewer/settings/presetLabels.js';
@@ -28,6 +41,18 @@ function source(value: unknown): string {
 export const entries = (values: Values): string[] =>
   Object.entries(values).map(([name, value]) => `${name}: ${source(value)}`);
 
+/** Properties as entries of the parameters of a material. @param preset whose material they change, if any */
+function ownEntries(values: Values, preset: PresetName | false): string[] {
+  const { composition, perTriangle, ...own } = parametersOf(values) as Values;
+  const group = (name: string, owned: unknown, before: string): string[] =>
+    owned ? [`${name}: { ${before}${entries(owned as Values).join(', ')} }`] : [];
+  return [
+    ...entries(own),
+    ...group('composition', composition, when(preset, `...presets.${preset}.material.composition, `)),
+    ...group('perTriangle', perTriangle, ''),
+  ];
+}
+
 /** A value in a form in which equal ones are equal: `#000000` is 0. */
 const comparable = (value: unknown): string => source(value).replace(/^'#(.*)'$/, (_, hex) => `${parseInt(hex, 16)}`);
 
@@ -35,11 +60,25 @@ const comparable = (value: unknown): string => source(value).replace(/^'#(.*)'$/
 const differing = (values: Values, base: Values): Values =>
   Object.fromEntries(Object.entries(values).filter(([name, value]) => comparable(value) !== comparable(base[name])));
 
-/** What settings say of a drawing as code draws it: in one technique, and never a debug view. */
+/**
+ * What settings say of a drawing as code draws it: in one technique, and never a debug view. A fitted exposure is kept, unless the lights
+ * move with the viewer.
+ */
 export function codeLook(settings: Settings) {
   const look = lookOf({ ...settings, compare: 'none', debugView: 'none' });
-  return { ...look, material: { ...look.drawn, ...look.sizes } };
+  const { drawn, sizes, lights } = look;
+  const { composition } = drawn;
+  const isKept = composition?.exposure === 'auto' && !lights.isWithViewer;
+  const kept: HatchingMaterialParameters = isKept ? { composition: { ...composition, exposure: 'fit' } } : {};
+  return { ...look, material: { ...drawn, ...sizes, ...kept } };
 }
+
+/** Parameters of a material by the names of the properties, wherever they lie. */
+const flat = ({ composition, perTriangle, ...own }: HatchingMaterialParameters): Values => ({
+  ...own,
+  ...composition,
+  ...perTriangle,
+});
 
 /** The map that settings ask for. */
 const mapOf = ({ mapStyle: style, mapSize, mapTones: tones, mapSeed: seed }: Settings): Values => ({
@@ -57,8 +96,9 @@ function nearestPreset(settings: Settings, isPlaced: boolean) {
   const isOwn = (name: HatchingPropertyName) =>
     !(isPlaced ? /^color$|^tilesPerObjectUnit$/ : /^color$|^tilesPerObjectUnit$|^focus/).test(name) &&
     !(name === 'toneNormal' ? look[name] === 'auto' : name === 'occlusion' && look[name] === 0);
-  const names = (Object.keys(look) as HatchingPropertyName[]).filter((name) => counts(look, name) && isOwn(name));
-  const own = Object.fromEntries(names.map((name) => [name, look[name]]));
+  const values = flat(material);
+  const names = (Object.keys(values) as HatchingPropertyName[]).filter((name) => counts(look, name) && isOwn(name));
+  const own = Object.fromEntries(names.map((name) => [name, values[name]]));
   // `scalePreset` scales sizes that are named.
   const unnamed = names.filter((name) => !isPlaced || pixelPower(look, name) === 0);
   const defaults = unnamed.map((name) => [name, defaultOf(name, look.technique as HatchingTechnique)]);
@@ -73,7 +113,7 @@ function nearestPreset(settings: Settings, isPlaced: boolean) {
     return {
       preset,
       isBase,
-      material: differing(own, { ...Object.fromEntries(defaults), ...(isBase && base.material) }),
+      material: differing(own, { ...Object.fromEntries(defaults), ...(isBase && flat(base.material)) }),
       outlines: showsOutlines ? differing(others, lines) : {},
       weights: showsOutlines ? differing(weights, ofLines) : {},
       map: needsMap ? differing(mapOf(settings), { ...mapOf(defaultSettings()), style: '', ...base.tonalArtMap }) : {},
@@ -107,7 +147,7 @@ export function lookSample(settings: Settings, root: string, { radius = 1, share
   const { tilesPerObjectUnit = 1 } = codeLook(settings).material;
   const paper = { color: 'white', map: null, vertexColors: false };
   const colors = settings.surfaceColors === 'paper' ? paper : {};
-  const own = [...entries({ ...material, ...colors }), ...(isOpen ? ['side: DoubleSide'] : [])];
+  const own = [...ownEntries({ ...material, ...colors }, isBase && preset), ...(isOpen ? ['side: DoubleSide'] : [])];
   const block = (name: string, isNamed: boolean, values: readonly string[]): string => {
     const all = isNamed ? [`...presets.${preset}.${name}`, ...values] : values;
     return when(values.length, `\n  ${name}: {${all.map((entry) => `\n    ${entry},`).join('')}\n  },`);

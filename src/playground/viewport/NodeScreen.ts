@@ -1,8 +1,13 @@
 import { Color, LinearSRGBColorSpace, Material, NoToneMapping, Scene, SRGBColorSpace, type Vector2 } from 'three';
 import { type Node, type NodeBuilder, TSL, WebGPURenderer } from 'three/webgpu';
-import type { HatchingMaterial, HatchingPropertyName } from 'three-hatching';
+import type { HatchingMaterial, HatchingPropertyName, PropertyNameOf } from 'three-hatching';
 import { HATCHING_PROPERTIES } from 'three-hatching/facts';
-import { HatchingNodeMaterial, HatchingOutlineNodeMaterial, HatchingOutlines } from 'three-hatching/webgpu';
+import {
+  HatchingNodeMaterial,
+  HatchingOutlineNodeMaterial,
+  HatchingOutlines,
+  HatchingShadowNodeMaterial,
+} from 'three-hatching/webgpu';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import type { NodeMakers } from '../../viewer/drawing/materials.js';
 import { strokeShare } from '../../viewer/sceneSetup/framing.js';
@@ -14,7 +19,9 @@ import type { FrameSize, Screen } from './Frames.js';
 import type { Painter } from './Painter.js';
 import type { Scenery } from './Scenery.js';
 
-const NAMES = Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
+const NAMES = (Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[]).filter(
+  (name): name is PropertyNameOf<undefined> => !('owner' in HATCHING_PROPERTIES[name]),
+);
 
 /**
  * A node material with the properties of another material. Values that equal a default of the technique stay defaults, and change with the
@@ -30,7 +37,7 @@ function nodesLike(drawn: HatchingMaterial): HatchingNodeMaterial {
     else if (kind === 'vector2') (nodes[name] as Vector2).copy(drawn[name] as Vector2);
     else if (nodes[name] !== drawn[name]) Object.assign(nodes, { [name]: drawn[name] });
   }
-  nodes.extent = drawn.extent;
+  nodes.composition = drawn.composition;
   return nodes;
 }
 
@@ -59,7 +66,6 @@ export class NodeScreen implements Screen {
   private readonly scene = new Scene();
   private readonly camera = createCamera();
   private readonly lights = new LightRig(this.scene);
-  private readonly groundMaterial = new HatchingNodeMaterial();
   private readonly ground: Ground;
   private readonly renderer: WebGPURenderer;
   private look: Look | undefined;
@@ -96,7 +102,7 @@ export class NodeScreen implements Screen {
   }
 
   private constructor(private readonly host: NodeScreenHost) {
-    const { canvas, groundMaterial } = this;
+    const { canvas } = this;
     // Hidden until its first frame, so that the painter's last frame stays visible.
     canvas.hidden = true;
     canvas.className = 'node-screen';
@@ -108,7 +114,8 @@ export class NodeScreen implements Screen {
     this.renderer.onDeviceLost = () => {
       if (!this.isDisposed) host.onLost();
     };
-    this.ground = new Ground(this.scene, () => this.outdate(), groundMaterial);
+    const materials = { floor: new HatchingNodeMaterial(), shadow: new HatchingShadowNodeMaterial() };
+    this.ground = new Ground(this.scene, () => this.outdate(), materials);
   }
 
   /** The WebGPU device; undefined if the renderer has fallen back to WebGL. */
@@ -172,13 +179,13 @@ export class NodeScreen implements Screen {
 
   /** Builds the resources of the next frame, then requests it. The canvas keeps the last frame meanwhile. */
   private async build(): Promise<void> {
-    const { host, renderer, groundMaterial, lights } = this;
+    const { host, renderer, ground, lights } = this;
     const build = ++this.builds;
     this.building = 'programs';
     this.follow(this.size.width, this.size.height);
     // Anything that cannot be fetched or built is missing in the frame, and the console says why.
     try {
-      await Promise.all([host.scenery.shown.model?.nodesReady(), groundMaterial.ready]);
+      await Promise.all([host.scenery.shown.model?.nodesReady(), ground.ready]);
       if (!this.isDisposed) await renderer.compileAsync(this.scene, this.camera);
     } catch (error) {
       if (!this.isDisposed) console.error(error);

@@ -1,7 +1,7 @@
 import { Color, type ColorRepresentation, type Plane } from 'three';
 import { HIDDEN_OUTLINES, type HiddenOutlines } from '../../look/hiddenOutlines.js';
 import { checkNumber } from '../../material/checkNumber.js';
-import { checkColor } from '../../material/checkValues.js';
+import { checkColor } from '../../material/checkProperty.js';
 import { checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import type { DrawingPlan } from '../DrawnScene.js';
 import { isSide, lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';

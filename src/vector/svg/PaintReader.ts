@@ -80,7 +80,7 @@ export class PaintReader {
       opacity: isBlended(material) ? 1 : material.opacity,
       emissive: emissive ? (emissive.toArray().map((x) => x * emissiveIntensity) as unknown as Vec3) : [0, 0, 0],
       colorHatching,
-      colorExposure: hatched && isFitted(hatched) ? 1 / this.fit.white : 1,
+      colorExposure: hatched && isFitted(hatched) ? 1 / hatched.composition.kept(this.fit).white : 1,
       vertexColor: hasColors ? first + 2 * channels.length : null,
       ...(Object.fromEntries(TONE_MAPS.map((name) => [name, look(name)])) as Record<ToneMap, MapLook | null>),
       normalToWorld: hatched?.normalMapType === ObjectSpaceNormalMap ? normalsToWorld(copy) : null,

@@ -12,10 +12,12 @@ import { resolveLook } from '../../look/queries.js';
 import { luminanceOf } from '../../look/vectors.js';
 import { isFitted, type ToneFit } from '../../material/exposure/ToneFit.js';
 import { type FadingLook, importanceOf, takesWeight, writeDepthFading } from '../../material/fading/fading.js';
+import type { SceneExtent } from '../../material/fading/SceneExtent.js';
 import { type SeenBox, seenBox } from '../../material/fading/seenDepths.js';
 import { fittedCurve } from '../../material/fitToneCurve.js';
 import type { HatchingBackground } from '../../material/HatchingBackground.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
+import type { HatchingShadowMaterial } from '../../material/HatchingShadowMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../../material/hatchingUniforms.js';
 import { writeSheet } from '../../material/pictureOffset.js';
 import type { DrawnBackground } from '../DrawnScene.js';
@@ -45,13 +47,13 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
 export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
   const { lineSpacing, minLineSpacing, crossFrom } = uniformsOf(material);
   const { technique, direction, shadowStrokes } = resolveLook(material, hasForm);
-  const { strokeLength, crossAngle, irregularity, screenSpaceShare, shadowSpacing, toneModel } = material;
+  const { strokeLength, crossAngle, irregularity, screenSpaceShare } = material;
   return {
     direction: direction as EngravedLook['direction'],
     technique: technique as LineTechnique,
     strokeLength,
     spacing: {
-      lineSpacing: lineSpacing.value * (toneModel === 'shadow' ? shadowSpacing : 1),
+      lineSpacing: lineSpacing.value * (isOfShadows(material) ? material.shadowSpacing : 1),
       minLineSpacing: minLineSpacing.value,
       screenSpaceShare,
     },
@@ -77,28 +79,35 @@ export function surfaceLookOf(
 ): SurfaceLook {
   const uniforms = uniformsOf(material);
   const { color, emissive, emissiveIntensity, colorHatching, toneModel, toneCurve } = material;
-  const { shininess, reflectedLight, occlusion, hollowStrength, toneSteps, exposureCompensation } = material;
+  const { shininess, reflectedLight, occlusion, hollowStrength, toneSteps } = material;
   const emitted = emissiveIntensity * luminanceOf(emissive);
   const isFit = isFitted(material);
+  const { exposureCompensation } = material.composition;
+  const kept = isFit ? material.composition.kept(fit) : fit;
   const exposure = uniforms.exposure.value as Vector2;
   return {
-    model: toneModel === 'shadow' ? 'lambert' : toneModel,
+    model: toneModel,
     curve: curveOf(toneCurve),
     steps: toneModel === 'toon' ? toneSteps : 0,
-    exposure: isFit ? [exposureCompensation * fit.scale, exposureCompensation * fit.offset] : [exposure.x, exposure.y],
+    exposure: isFit
+      ? [exposureCompensation * kept.scale, exposureCompensation * kept.offset]
+      : [exposure.x, exposure.y],
     highlightRamp: (uniforms.highlightRamp.value as Vector2).toArray() as [number, number],
     toneEnds: (uniforms.toneEnds.value as Vector2).toArray() as [number, number],
     occlusion,
     hollowStrength,
-    ground: toneModel === 'shadow' ? groundOf(material) : null,
+    ground: isOfShadows(material) ? groundOf(material) : null,
     darkness:
-      colorHatching > 0 ? localDarkness(luminanceOf(color), emitted, colorHatching, isFit ? 1 / fit.white : 1) : 0,
+      colorHatching > 0 ? localDarkness(luminanceOf(color), emitted, colorHatching, isFit ? 1 / kept.white : 1) : 0,
     opacity: opacityOf(material, geometry),
     ...{ shininess, reflectedLight, emitted, receivesShadows, fading },
   };
 }
 
-const groundOf = ({ shadowTone, shadowFade, shadowSoftness }: HatchingMaterial): GroundLook => ({
+const isOfShadows = (material: HatchingMaterial): material is HatchingShadowMaterial =>
+  material.isHatchingShadowMaterial;
+
+const groundOf = ({ shadowTone, shadowFade, shadowSoftness }: HatchingShadowMaterial): GroundLook => ({
   tone: shadowTone,
   fade: shadowFade,
   softness: shadowSoftness,
@@ -112,10 +121,11 @@ function curveOf(curve: HatchingMaterial['toneCurve']): 'perceptual' | CurveCubi
 /** The fading of an object; null where everything has its full weight. */
 export function readFading(object: Object3D, look: FadingLook | null, camera: Camera): ObjectFading | null {
   if (!takesWeight(look)) return null;
-  const { focus, focusRadius, vignette } = look;
+  const { composition } = look;
+  const { focus, focusRadius, vignette, extent } = composition;
   const depthFading = new Vector3();
-  const isMeasured = look.depthFade !== 0 && look.extent !== null;
-  writeDepthFading(look, isMeasured ? seenOf(look.extent, camera) : null, camera, depthFading);
+  const isMeasured = composition.depthFade !== 0 && extent !== null;
+  writeDepthFading(composition, isMeasured ? seenOf(extent, camera) : null, camera, depthFading);
   const importance = importanceOf(object);
   if (depthFading.z === 0 && focus === null && vignette === 0 && importance === 1) return null;
   return {
@@ -140,7 +150,7 @@ function sheetOf(camera: Camera): DrawnBackground['sheet'] {
   return sheet.toArray();
 }
 
-function seenOf({ box, frame }: NonNullable<FadingLook['extent']>, camera: Camera): SeenBox | null {
+function seenOf({ box, frame }: SceneExtent, camera: Camera): SeenBox | null {
   const seen: SeenBox = { front: 0, back: 1, left: -1, right: 1, bottom: -1, top: 1 };
   return seenBox(box, frame.matrixWorld, camera, seen) ? seen : null;
 }

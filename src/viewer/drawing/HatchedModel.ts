@@ -158,7 +158,7 @@ export class HatchedModel {
 
   /** The extent of the model, by which all parts of the scene measure depth. */
   get extent(): SceneExtent | null {
-    return this.sets.drawn.materials[0]?.extent ?? null;
+    return this.sets.drawn.materials[0]?.composition.extent ?? null;
   }
 
   /**
@@ -345,7 +345,9 @@ const setOf = (
 function withoutAdjacency(look: Look): Look {
   const { drawn, compared } = look;
   const without = (parameters: HatchingMaterialParameters): HatchingMaterialParameters =>
-    needsAdjacency(parameters) ? { ...parameters, technique: 'hatching', crisp: false } : parameters;
+    needsAdjacency(parameters)
+      ? { ...parameters, technique: 'hatching', perTriangle: { ...parameters.perTriangle, sharpInk: false } }
+      : parameters;
   return { ...look, drawn: without(drawn), compared: compared && without(compared) };
 }
 

@@ -1,17 +1,16 @@
-import {
-  type Color,
-  type ColorRepresentation,
-  type DirectionalLight,
-  type InstancedMesh,
-  type Material,
-  type Mesh,
-  type Object3D,
-  type SkinnedMesh,
-  type Texture,
-  Vector2,
+import type {
+  Color,
+  ColorRepresentation,
+  DirectionalLight,
+  InstancedMesh,
+  Material,
+  Mesh,
+  Object3D,
+  SkinnedMesh,
+  Texture,
 } from 'three';
-import type { HatchingMaterial, HatchingMaterialParameters, HatchingPropertyName } from 'three-hatching';
-import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, scaledSizes } from 'three-hatching/facts';
+import type { HatchingMaterial, HatchingMaterialParameters, PropertyNameOf } from 'three-hatching';
+import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingProperty, scaledSizes } from 'three-hatching/facts';
 import type { HatchingNodeMaterial, HatchingOutlineNodeMaterial, HatchingOutlines } from 'three-hatching/webgpu';
 import type { Look } from '../settings/lookOf.js';
 
@@ -31,13 +30,13 @@ export interface NodeMakers {
  * not warn of properties that the present technique ignores, since the page keeps them for the next technique.
  */
 export function parameterSetter(parameters: HatchingMaterialParameters): (material: EitherMaterial) => void {
-  const entries = Object.entries(parameters) as [HatchingPropertyName, unknown][];
-  const colors = entries.filter(([name]) => HATCHING_PROPERTIES[name].kind === 'color');
-  const vectors = entries.filter(([, value]) => value instanceof Vector2);
-  const others = Object.fromEntries(entries.filter((entry) => !colors.includes(entry) && !vectors.includes(entry)));
+  const entries = Object.entries(parameters) as [PropertyNameOf<undefined>, unknown][];
+  const colors = entries.filter(
+    ([name]) => (HATCHING_PROPERTIES as Record<string, HatchingProperty>)[name]?.kind === 'color',
+  );
+  const others = Object.fromEntries(entries.filter((entry) => !colors.includes(entry)));
   return (material) => {
     Object.assign(material, others);
-    for (const [name, value] of vectors) (material[name] as Vector2).copy(value as Vector2);
     for (const [name, value] of colors) (material[name] as Color).set(value as ColorRepresentation);
   };
 }

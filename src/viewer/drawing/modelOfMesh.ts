@@ -1,5 +1,11 @@
 import { Box3, type BufferGeometry, Group, Mesh, type Side, SRGBColorSpace, Texture } from 'three';
-import { HatchingMaterial, type HatchingMaterialParameters, HatchingOutlines, SceneExtent } from 'three-hatching';
+import {
+  HatchingComposition,
+  HatchingMaterial,
+  type HatchingMaterialParameters,
+  HatchingOutlines,
+  SceneExtent,
+} from 'three-hatching';
 import { cleanMesh } from '../files/mesh/cleanMesh.js';
 import { type PictureRange, type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
@@ -76,8 +82,9 @@ export async function modelOfMesh(
   }
   const bounds = boundsOf(meshesOf(root));
   const solid = boundsOf(meshesOf(root).filter(({ material }) => [material].flat().some((one) => !one.transparent)));
-  const extent = new SceneExtent(root, bounds);
-  for (const material of materials) material.extent = extent;
+  const composition = new HatchingComposition();
+  composition.extent = new SceneExtent(root, bounds);
+  for (const material of materials) material.composition = composition;
   // An incomplete occlusion file is ignored.
   const isOccluded = occlusion !== undefined && parts.length === 1 && occlusion.length >= mesh.positions.length / 3;
   if (isOccluded) writeOcclusion(meshesOf(root)[0].geometry, mesh, occlusion);

@@ -1,5 +1,12 @@
 import { Group, Mesh, PlaneGeometry, type Scene } from 'three';
-import { HatchingMaterial, prepareHatchingGeometry, type SceneExtent, type TonalArtMap } from 'three-hatching';
+import {
+  HatchingMaterial,
+  HatchingShadowMaterial,
+  prepareHatchingGeometry,
+  type SceneExtent,
+  type TonalArtMap,
+} from 'three-hatching';
+import type { HatchingShadowNodeMaterial } from 'three-hatching/webgpu';
 import { BLANK_CURVE } from '../drawing/HatchedModel.js';
 import { type EitherMaterial, materialSizesIn, parameterSetter } from '../drawing/materials.js';
 import { meshesOf } from '../drawing/meshes.js';
@@ -17,21 +24,30 @@ export const GROUND = { size: 40, parts: 40 } as const;
 /** After this many material versions, several of which one look may need, programs of earlier looks are freed. */
 const MANY_VERSIONS = 24;
 
+/** The materials of a ground, for one renderer: of a floor, and of one that shows shadows alone. */
+export interface GroundMaterials {
+  readonly floor: EitherMaterial;
+  readonly shadow: HatchingShadowMaterial | HatchingShadowNodeMaterial;
+}
+
+const glslMaterials = (): GroundMaterials => ({ floor: new HatchingMaterial(), shadow: new HatchingShadowMaterial() });
+
 /** The ground: a surface that shows only shadows, or a floor. It is drawn with the model's strokes. */
 export class Ground {
   private readonly holder = new Group();
+  private mesh: Mesh | null = null;
   private isMade = false;
-  private freedVersion = 0;
+  private readonly freedVersions = new Map<EitherMaterial, number>();
   private kind: Look['ground'] = 'none';
 
   /**
    * @param onReady called when the ground can be drawn
-   * @param material for the renderer that draws it
+   * @param materials for the renderer that draws it
    */
   constructor(
     scene: Scene,
     private readonly onReady: () => void,
-    private readonly material: EitherMaterial = new HatchingMaterial(),
+    private readonly materials: GroundMaterials = glslMaterials(),
   ) {
     this.holder.visible = false;
     scene.add(this.holder);
@@ -48,11 +64,16 @@ export class Ground {
 
   /** The extent of the model, by which the ground fades with depth. */
   set extent(extent: SceneExtent | null) {
-    this.material.extent = extent;
+    for (const { composition } of this.both) composition.extent = extent;
   }
 
   set tonalArtMap(map: TonalArtMap) {
-    this.material.tonalArtMap = map;
+    for (const material of this.both) material.tonalArtMap = map;
+  }
+
+  /** Resolves when the material that is drawn has its map and its code. */
+  get ready(): Promise<void> {
+    return this.material.ready;
   }
 
   apply(look: Look): void {
@@ -61,7 +82,8 @@ export class Ground {
     if (this.kind === 'none') return;
     if (!this.isMade) void this.make();
     parameterSetter(look.drawn)(this.material);
-    if (this.kind === 'shadow') Object.assign(this.material, look.groundShadow);
+    if (this.kind === 'shadow') Object.assign(this.materials.shadow, look.groundShadow);
+    if (this.mesh) this.mesh.material = this.material;
     this.showPaper(true);
     this.freePrograms();
   }
@@ -72,13 +94,14 @@ export class Ground {
   }
 
   /**
-   * Frees the programs of earlier looks. three.js keeps them until the material is disposed of, and this material lives as long as the
+   * Frees the programs of earlier looks. three.js keeps them until the material is disposed of, and these materials live as long as the
    * page.
    */
   private freePrograms(): void {
-    if (this.material.version - this.freedVersion < MANY_VERSIONS) return;
-    this.freedVersion = this.material.version;
-    this.material.dispose();
+    const { material, freedVersions } = this;
+    if (material.version - (freedVersions.get(material) ?? 0) < MANY_VERSIONS) return;
+    freedVersions.set(material, material.version);
+    material.dispose();
   }
 
   /**
@@ -99,7 +122,7 @@ export class Ground {
   endShadows({ groundShadow }: Look, fade: number): void {
     if (this.kind !== 'shadow') return;
     const { shadowFade } = groundShadow;
-    this.material.shadowFade = shadowFade > 0 ? Math.max(shadowFade, fade) : 0;
+    this.materials.shadow.shadowFade = shadowFade > 0 ? Math.max(shadowFade, fade) : 0;
   }
 
   /** Shows or hides the paper of a floor. A ground that shows only shadows has none. */
@@ -120,11 +143,20 @@ export class Ground {
     if (layer === 'colour') this.material.toneCurve = BLANK_CURVE;
   }
 
-  /** Frees the material and geometry, and removes the ground from the scene. */
+  /** Frees the materials and the geometry, and removes the ground from the scene. */
   dispose(): void {
     this.holder.removeFromParent();
     for (const { geometry } of meshesOf(this.holder)) geometry.dispose();
-    this.material.dispose();
+    for (const material of this.both) material.dispose();
+  }
+
+  /** The material that is drawn. */
+  private get material(): EitherMaterial {
+    return this.materials[this.kind === 'shadow' ? 'shadow' : 'floor'];
+  }
+
+  private get both(): readonly EitherMaterial[] {
+    return Object.values(this.materials);
   }
 
   private async make(): Promise<void> {
@@ -138,6 +170,7 @@ export class Ground {
     const mesh = new Mesh(prepared, this.material);
     mesh.name = 'ground';
     mesh.receiveShadow = true;
+    this.mesh = mesh;
     this.holder.add(mesh);
     this.onReady();
   }

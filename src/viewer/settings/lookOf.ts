@@ -1,5 +1,5 @@
 import { MathUtils } from 'three';
-import type { HatchingMaterialParameters } from 'three-hatching';
+import type { HatchingMaterialParameters, HatchingShadowOptions } from 'three-hatching';
 import { needsMap } from 'three-hatching/facts';
 import {
   backgroundLook,
@@ -43,9 +43,7 @@ export interface Look {
   readonly ground: Settings['ground'];
   readonly showsGround: boolean;
   /** The properties of a ground that shows shadows alone. */
-  readonly groundShadow: Readonly<
-    Required<Pick<HatchingMaterialParameters, 'toneModel' | (typeof SHADOW_NUMBERS)[number]>>
-  >;
+  readonly groundShadow: Readonly<Pick<HatchingShadowOptions, (typeof SHADOW_NUMBERS)[number]>>;
   /** The parameters of the background, in CSS pixels; undefined if it is hidden. */
   readonly background: ReturnType<typeof backgroundLook>;
   /** The colour of the empty paper. */
@@ -80,7 +78,7 @@ export function lookOf(settings: Settings): Look {
     showsSurfaceColors: shown.surfaceColors === 'shown',
     ground,
     showsGround: ground !== 'none' && !isDebugView,
-    groundShadow: { toneModel: 'shadow', ...shadowNumbers(shown) },
+    groundShadow: shadowNumbers(shown),
     background: isDebugView ? undefined : backgroundLook(shown),
     paper,
     upright: UPRIGHT[upAxis],

@@ -1,15 +1,25 @@
 import { MathUtils, Vector2 } from 'three';
 import {
   type HatchingBackgroundParameters,
+  type HatchingCompositionOptions,
   type HatchingMaterialParameters,
   type HatchingOutlineParameters,
   type HatchingPropertyName,
+  type HatchingShadowOptions,
   type HatchingTechnique,
   type PresetName,
   presets,
   type Vector2Like,
 } from 'three-hatching';
-import { counts, drawsLines, HATCHING_OUTLINE_DEFAULTS, HATCHING_PROPERTIES, pixelPower } from 'three-hatching/facts';
+import {
+  counts,
+  drawsLines,
+  givenValue,
+  HATCHING_OUTLINE_DEFAULTS,
+  HATCHING_PROPERTIES,
+  parametersOf,
+  pixelPower,
+} from 'three-hatching/facts';
 import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from './settings.js';
 import { type Setting, UNITS, unitOf } from './table/rows.js';
 import { outlineShadeOf, SHADE, STROKE_ANGLES, strokeTurnOf } from './table/strokeSettings.js';
@@ -66,7 +76,7 @@ function toSetting(property: HatchingPropertyName, value: unknown): unknown {
   return typeof value === 'boolean' ? (value ? 'yes' : 'no') : value;
 }
 
-const propertiesOf = (chosen: readonly PropertySetting[], settings: Settings): HatchingMaterialParameters =>
+const propertiesOf = (chosen: readonly PropertySetting[], settings: Settings): Record<string, unknown> =>
   Object.fromEntries(chosen.map(({ key, property }) => [property, toProperty(property, settings[key])]));
 
 /** The technique of the material. The settings' crisp strokes are a technique of their own; the material has a property for them. */
@@ -84,9 +94,9 @@ export function materialLook(
 ): HatchingMaterialParameters {
   const { offsetU, offsetV } = settings;
   const isFitted = settings.exposure === 'auto';
-  return {
+  return parametersOf({
     technique: techniqueOf(technique),
-    crisp: technique === 'adjacencyCrisp',
+    sharpInk: technique === 'adjacencyCrisp',
     strokeAngle: angleOf(settings, technique),
     strokeOffset: new Vector2(offsetU, offsetV),
     toneCurve: TONE_CURVES[settings.toneCurve],
@@ -95,7 +105,7 @@ export function materialLook(
     // Fitting would otherwise cancel the light's strength.
     exposureCompensation: isFitted ? settings.lightStrength / 100 : 1,
     ...propertiesOf(OTHERS, settings),
-  };
+  });
 }
 
 function angleOf({ strokeTurn, strokeAngle }: Settings, technique: Settings['technique']): number {
@@ -105,19 +115,24 @@ function angleOf({ strokeTurn, strokeAngle }: Settings, technique: Settings['tec
 }
 
 /** The sizes of the material for some settings; pixels are CSS pixels. */
-export const materialSizes = (settings: Settings): HatchingMaterialParameters => propertiesOf(SIZES, settings);
+export const materialSizes = (settings: Settings): HatchingMaterialParameters =>
+  parametersOf(propertiesOf(SIZES, settings));
 
 /** The settings that correspond to material parameters. Absent parameters give no setting. */
 export function settingsOfMaterial(parameters: HatchingMaterialParameters): Partial<Settings> {
-  const { technique, crisp, strokeAngle, strokeOffset, toneCurve, exposure } = parameters;
-  const given = PROPERTY_SETTINGS.filter(({ property }) => parameters[property] !== undefined);
+  const { technique, strokeAngle, toneCurve, composition = {}, perTriangle = {} } = parameters;
+  const { exposure } = composition;
+  const { sharpInk, strokeOffset } = perTriangle;
+  const given = PROPERTY_SETTINGS.filter(({ property }) => givenValue(parameters, property) !== undefined);
   return {
-    ...(technique && { technique: technique === 'adjacency' && crisp ? 'adjacencyCrisp' : technique }),
+    ...(technique && { technique: technique === 'adjacency' && sharpInk ? 'adjacencyCrisp' : technique }),
     ...(strokeAngle !== undefined && turnOf(strokeAngle)),
     ...(strokeOffset && offsetOf(strokeOffset)),
     ...(toneCurve && { toneCurve: nameOfCurve(toneCurve) }),
-    ...(exposure && { exposure: exposure === 'auto' ? exposure : 'fixed' }),
-    ...Object.fromEntries(given.map(({ key, property }) => [key, toSetting(property, parameters[property])])),
+    ...(exposure && { exposure: typeof exposure === 'string' ? 'auto' : 'fixed' }),
+    ...Object.fromEntries(
+      given.map(({ key, property }) => [key, toSetting(property, givenValue(parameters, property))]),
+    ),
   };
 }
 
@@ -132,12 +147,12 @@ function turnOf(strokeAngle: number): Partial<Settings> {
   return { strokeTurn, strokeAngle: unitOf('strokeAngle').toSetting(strokeAngle) };
 }
 
-/** The composition parameters of the material that are not properties of the settings' own name. */
+/** The properties of the composition that are none of the settings' own name. */
 const compositionLook = ({ depth, depthStrength, focus, focusX, focusY, focusZ }: Settings) =>
   ({
     depthFade: depth === 'auto' ? 'auto' : depth === 'on' ? depthStrength / 100 : 0,
     focus: focus === 'on' ? [focusX, focusY, focusZ] : null,
-  }) satisfies HatchingMaterialParameters;
+  }) satisfies Partial<HatchingCompositionOptions>;
 
 /** The parameters of the background, with spacing in CSS pixels; undefined if there is no background. */
 export function backgroundLook(
@@ -165,8 +180,8 @@ type ShadowNumbers = Record<(typeof SHADOW_NUMBERS)[number], number>;
 export const shadowNumbers = (settings: Settings): ShadowNumbers =>
   Object.fromEntries(SHADOW_NUMBERS.map((name) => [name, UNITS.share.toProperty(settings[name])])) as ShadowNumbers;
 
-/** The settings that correspond to shadow parameters of a material. Absent parameters give no setting. */
-export const settingsOfShadow = (parameters: HatchingMaterialParameters): Partial<Settings> =>
+/** The settings that correspond to parameters of the ground's material. Absent parameters give no setting. */
+export const settingsOfShadow = (parameters: Partial<HatchingShadowOptions> = {}): Partial<Settings> =>
   Object.fromEntries(
     SHADOW_NUMBERS.flatMap((name) => {
       const value = parameters[name];

@@ -11,12 +11,12 @@ const LIGHT_STRENGTH = 100;
 
 /** All settings of a preset, including defaults, so that nothing of the previous look remains. */
 export function presetLook(name: PresetName): Partial<Settings> {
-  const { material, outlines, tonalArtMap } = presets[name];
+  const { material, outlines, shadow, tonalArtMap } = presets[name];
   return {
     ...Object.fromEntries(LOOK_KEYS.map((key) => [key, SETTINGS[key].default])),
     lightStrength: LIGHT_STRENGTH,
     ...settingsOfMaterial(material),
-    ...settingsOfShadow(material),
+    ...settingsOfShadow(shadow),
     ...settingsOfOutlines(outlines),
     ...(tonalArtMap?.style && { mapStyle: tonalArtMap.style }),
   };

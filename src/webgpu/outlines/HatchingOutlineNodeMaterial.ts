@@ -15,7 +15,7 @@ import {
 } from 'three';
 import { type NodeBuilder, NodeMaterial, type WebGPURenderer } from 'three/webgpu';
 import type { HiddenOutlines } from '../../look/hiddenOutlines.js';
-import { checkColor } from '../../material/checkValues.js';
+import { checkColor } from '../../material/checkProperty.js';
 import { type FadingLook, takesWeight, writeFading, writeImportance } from '../../material/fading/fading.js';
 import type {
   HatchingOutlineMaterial,

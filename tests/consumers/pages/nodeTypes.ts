@@ -54,7 +54,11 @@ export async function engravedScene(): Promise<HatchedNodeScene> {
 /** Meshes of every kind, each with a material of nodes and outlines. */
 export async function everyKind(): Promise<Scene> {
   const geometry: BufferGeometry = await prepareHatchingGeometry(new BoxGeometry(), { outlines: true });
-  const material = new HatchingNodeMaterial({ technique: 'engraving', ink: 0x224466, focus: new Vector3() });
+  const material = new HatchingNodeMaterial({
+    technique: 'engraving',
+    ink: 0x224466,
+    composition: { focus: new Vector3() },
+  });
   const mesh: Mesh<BufferGeometry, HatchingNodeMaterial> = new Mesh(geometry, material);
   mesh.material.lineSpacing = 6;
   mesh.material = material.clone();

@@ -144,7 +144,12 @@ function ByHand({ ink, outlineWidth, weights }: Pick<Shown, 'ink' | 'outlineWidt
   if (!geometry) return null;
   return (
     <mesh name="by hand" geometry={geometry} position-y={-0.9}>
-      <hatchingMaterial technique="hatching" tonalArtMap={tonalArtMap} strokeOffset={[0.5, 0]} {...(ink && { ink })} />
+      <hatchingMaterial
+        technique="hatching"
+        tonalArtMap={tonalArtMap}
+        perTriangle={{ strokeOffset: [0.5, 0] }}
+        {...(ink && { ink })}
+      />
       <HatchingOutlines
         wobble={1}
         {...(outlineWidth !== undefined && { outlineWidth })}

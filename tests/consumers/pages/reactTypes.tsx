@@ -30,7 +30,13 @@ export function Drawing({ onHatched }: { onHatched: (hatched: HatchedScene) => v
       <Hatched signal={new AbortController().signal} />
       {geometry && (
         <mesh geometry={geometry}>
-          <hatchingMaterial technique="hatching" tonalArtMap={map} ink="#222" strokeOffset={[0.5, 0]} side={2} />
+          <hatchingMaterial
+            technique="hatching"
+            tonalArtMap={map}
+            ink="#222"
+            perTriangle={{ strokeOffset: [0.5, 0] }}
+            side={2}
+          />
           {/* @ts-expect-error: an unknown technique is refused; the attributes are not `any`. */}
           <hatchingMaterial technique="scribble" />
           <hatchingOutlineMaterial weights={{ creases: 0 }} weights-lit={1} />

@@ -7,7 +7,7 @@ export async function hatchedBox(options: TaskOptions): Promise<Mesh<BoxGeometry
   const material = new HatchingMaterial({ tonalArtMap, technique: 'adjacency', ink: '#222' });
   material.strokeAngle = Math.PI / 2;
   const size: number = tonalArtMap.size;
-  material.strokeOffset.set(size, 0);
+  material.perTriangle.strokeOffset.set(size, 0);
   // @ts-expect-error: an unknown technique is refused.
   material.technique = 'scribble';
   // @ts-expect-error: so is a number as style; neither is `any`.

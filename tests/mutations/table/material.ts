@@ -37,8 +37,8 @@ export const material: readonly Mutation[] = [
   {
     name: 'defaults are written to JSON',
     file: 'src/material/hatchingJSON.ts',
-    find: 'if (!isDefault(name as HatchingPropertyName, value, material.technique)) json',
-    replace: 'json',
+    find: 'if (isTonalArtMap(value) || isDefault(name, value, material.technique)) continue;',
+    replace: 'if (isTonalArtMap(value)) continue;',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/hatchingJSON.test.ts',

@@ -20,7 +20,7 @@ describe('queries of a look', () => {
     [{}, true, false],
     [{ technique: 'triangle' }, true, true],
     [{ technique: 'adjacency' }, true, true],
-    [{ technique: 'adjacency', crisp: true }, true, true],
+    [{ technique: 'adjacency', perTriangle: { sharpInk: true } }, true, true],
     [{ technique: 'hatching' }, true, false],
     [{ technique: 'dryMedia' }, true, false],
     [{ technique: 'stipple' }, false, false],
@@ -40,13 +40,13 @@ describe('queries of a look', () => {
   test.each([
     [{}, true],
     [{ technique: 'adjacency' }, false],
-    [{ technique: 'adjacency', crisp: true }, true],
+    [{ technique: 'adjacency', perTriangle: { sharpInk: true } }, true],
     [{ technique: 'hatching' }, true],
     [{ technique: 'dryMedia' }, true],
     // Dots are drawn without a map.
     [{ technique: 'stipple' }, false],
     // The crispness of another technique.
-    [{ technique: 'engraving', crisp: true }, false],
+    [{ technique: 'engraving', perTriangle: { sharpInk: true } }, false],
   ] as const)('%j decides ink from thresholds: %s', (look, expected) => {
     expect(usesThresholds(look)).toBe(expected);
   });
@@ -95,7 +95,7 @@ describe('queries of a look', () => {
     ['edgePixels', { technique: 'hatching' }, true],
     ['edgePixels', { technique: 'dryMedia' }, false],
     ['edgePixels', { technique: 'adjacency' }, false],
-    ['edgePixels', { technique: 'adjacency', crisp: true }, true],
+    ['edgePixels', { technique: 'adjacency', perTriangle: { sharpInk: true } }, true],
     ['crossFrom', { technique: 'hatching' }, true],
     ['crossFrom', { technique: 'hatching', strokeLayers: 'single' }, false],
     ['crossFrom', { technique: 'adjacency' }, false],
@@ -110,10 +110,10 @@ describe('queries of a look', () => {
     ['lineSpacing', {}, false],
     // Greys whose level follows from derivatives have the width that the map draws.
     ['strokeWidth', { technique: 'adjacency' }, false],
-    ['strokeWidth', { technique: 'adjacency', levelRule: 'depth' }, true],
-    ['strokeWidth', { technique: 'adjacency', crisp: true }, true],
+    ['strokeWidth', { technique: 'adjacency', perTriangle: { levelRule: 'depth' } }, true],
+    ['strokeWidth', { technique: 'adjacency', perTriangle: { sharpInk: true } }, true],
     ['strokeWidth', { technique: 'hatching' }, true],
-    ['strokeWidth', { technique: 'engraving', levelRule: 'depth' }, false],
+    ['strokeWidth', { technique: 'engraving', perTriangle: { levelRule: 'depth' } }, false],
     ['latticeSpacing', { technique: 'stipple' }, false],
     ['strokeAngle', { technique: 'stipple' }, false],
     ['strokeAngle', { technique: 'engraving' }, true],
@@ -133,10 +133,11 @@ describe('queries of a look', () => {
     ['highlightSoftness', { highlightThreshold: 0 }, false],
     ['highlightSoftness', { highlightThreshold: 0.2 }, true],
     ['exposureCompensation', {}, false],
-    ['exposureCompensation', { exposure: 2 }, false],
-    ['exposureCompensation', { exposure: 'auto' }, true],
+    ['exposureCompensation', { composition: { exposure: 2 } }, false],
+    ['exposureCompensation', { composition: { exposure: 'auto' } }, true],
+    ['exposureCompensation', { composition: { exposure: 'fit' } }, true],
     ['exposureCompensation', { preset: 'pen' }, true],
-    ['depthFadeEnd', { depthFade: 'auto' }, true],
+    ['depthFadeEnd', { composition: { depthFade: 'auto' } }, true],
   ] as const)('%s under %j counts: %s', (name, look, expected) => {
     expect(counts(look, name)).toBe(expected);
   });
@@ -150,15 +151,17 @@ describe('queries of a look', () => {
           const named = 'not' in values ? [values.not] : values;
           if (row.kind === 'choice') expect(Object.keys(row.choices), name).toEqual(expect.arrayContaining([...named]));
           else
-            expect(named, name).toEqual([
-              row.kind === 'number' && row.isAuto
-                ? 'auto'
-                : row.kind === 'switch'
-                  ? true
-                  : row.kind === 'texture' || row.kind === 'point'
-                    ? null
-                    : expect.any(Number),
-            ]);
+            expect(named, name).toEqual(
+              row.kind === 'number' && row.words
+                ? row.words
+                : [
+                    row.kind === 'switch'
+                      ? true
+                      : row.kind === 'texture' || row.kind === 'point'
+                        ? null
+                        : expect.any(Number),
+                  ],
+            );
         }
       }
     }

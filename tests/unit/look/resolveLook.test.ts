@@ -33,13 +33,13 @@ describe('a look is resolved', () => {
     ['a choice of another technique', { technique: 'triangle', direction: 'x' }, { direction: 'light' }, {}],
     [
       'shadows that run away from the light',
-      { ...AUTO, toneModel: 'shadow', shadowStrokes: 'cross', strokeLayers: 'tone' },
+      { ...AUTO, isHatchingShadowMaterial: true, shadowStrokes: 'cross', strokeLayers: 'tone' },
       { direction: 'light', shadowStrokes: 'tone', strokeLayers: 'single', runsAway: true },
       { direction: 'light', shadowStrokes: 'tone', runsAway: true },
     ],
     [
       'shadows in the strokes of the look',
-      { ...AUTO, toneModel: 'shadow', shadowDirection: 'strokes', shadowStrokes: 'cross' },
+      { ...AUTO, isHatchingShadowMaterial: true, shadowDirection: 'strokes', shadowStrokes: 'cross' },
       { direction: 'form', shadowStrokes: 'cross', runsAway: false },
       { direction: 'light' },
     ],
@@ -49,7 +49,7 @@ describe('a look is resolved', () => {
   });
 
   test('a value that does not count for the technique is at its default', () => {
-    expect(drawnValue({ technique: 'triangle', crisp: true }, 'crisp', false)).toBe(true);
-    expect(drawnValue({ technique: 'hatching', crisp: true }, 'crisp', false)).toBe(false);
+    expect(drawnValue({ technique: 'triangle', perTriangle: { sharpInk: true } }, 'sharpInk', false)).toBe(true);
+    expect(drawnValue({ technique: 'hatching', perTriangle: { sharpInk: true } }, 'sharpInk', false)).toBe(false);
   });
 });

@@ -95,7 +95,7 @@ describe('HatchingMaterial', () => {
       reflectedLight: 0.35,
       strokeLayers: 'tone',
       toneMapped: false,
-      levelRule: 'derivatives',
+      perTriangle: { levelRule: 'derivatives' },
       inkBlend: 'cover',
       paperOpacity: 1,
     });
@@ -109,8 +109,8 @@ describe('HatchingMaterial', () => {
   ] as const)('%s alone draws the equations of Suarez et al.', (technique, more) => {
     expect(new HatchingMaterial({ technique })).toMatchObject({
       ...{ toneNormal: 'face', toneCurve: 'linear', reflectedLight: 0, strokeLayers: 'single', crossFrom: 0.52 },
-      ...{ strokeAngle: 0, strokeWidth: null, crisp: false, levelRule: 'derivatives', tilesPerObjectUnit: 3 },
-      ...more,
+      ...{ strokeAngle: 0, strokeWidth: null, tilesPerObjectUnit: 3 },
+      perTriangle: { sharpInk: false, levelRule: 'derivatives', ...more },
     });
   });
 
@@ -172,13 +172,13 @@ describe('HatchingMaterial', () => {
       tonalArtMap: map,
       technique: 'triangle',
       ink: '#112233',
-      strokeOffset: new Vector2(0.25, 0.5),
+      perTriangle: { strokeOffset: new Vector2(0.25, 0.5) },
       side: DoubleSide,
       opacity: 0.5,
     });
     expect(material.technique).toBe('triangle');
     expect(material.ink.equals(new Color('#112233'))).toBe(true);
-    expect(material.strokeOffset.toArray()).toEqual([0.25, 0.5]);
+    expect(material.perTriangle.strokeOffset.toArray()).toEqual([0.25, 0.5]);
     expect(material.side).toBe(DoubleSide);
     expect(material.uniforms.tonalArtMap.value).toBe(map.texture);
     expect(material.uniforms.opacity.value).toBe(0.5);
@@ -190,44 +190,38 @@ describe('HatchingMaterial', () => {
     expect(warn.mock.calls.flat().join(' ')).toContain('tilesPerUnits');
   });
 
-  test.each([
-    'technique',
-    'toneModel',
-    'toneNormal',
-    'levelRule',
-    'inkBlend',
-    'strokeAnchor',
-    'strokeLayers',
-    'debugView',
-  ] as const)('refuses an unknown %s', (property) => {
-    const material = new HatchingMaterial();
-    const before = material[property];
-    expect(() => {
-      (material as unknown as Record<string, string>)[property] = 'nonsense';
-    }).toThrow(`HatchingMaterial.${property}: "nonsense" is not known; use one of`);
-    expect(material[property]).toBe(before);
-  });
+  test.each(['technique', 'toneModel', 'toneNormal', 'inkBlend', 'strokeAnchor', 'strokeLayers', 'debugView'] as const)(
+    'refuses an unknown %s',
+    (property) => {
+      const material = new HatchingMaterial();
+      const before = material[property];
+      expect(() => {
+        (material as unknown as Record<string, string>)[property] = 'nonsense';
+      }).toThrow(`HatchingMaterial.${property}: "nonsense" is not known; use one of`);
+      expect(material[property]).toBe(before);
+    },
+  );
 
   test('changes its program only if the shader changes', () => {
     const material = new HatchingMaterial({ tonalArtMap: map, technique: 'adjacency' });
     const { version } = material;
     material.tilesPerObjectUnit = 7;
     material.strokeAngle = 1;
-    material.strokeOffset.set(0.1, 0.2);
+    material.perTriangle.strokeOffset.set(0.1, 0.2);
     material.toneSteps = 6;
     material.shininess = 5;
-    material.blendAngle = 1;
+    material.perTriangle.blendAngle = 1;
     material.reflectedLight = 0.3;
     material.paperOpacity = 0.5;
     material.ink.set('red');
     material.technique = 'adjacency';
     material.toneCurve = 'linear';
-    material.levelRule = 'derivatives';
+    material.perTriangle.levelRule = 'derivatives';
     material.inkBlend = 'cover';
     material.strokeLayers = 'single';
     expect(material.version).toBe(version);
     material.technique = 'triangle';
-    material.levelRule = 'depth';
+    material.perTriangle.levelRule = 'depth';
     material.inkBlend = 'multiply';
     material.strokeLayers = 'tone';
     expect(material.version).toBe(version + 4);
@@ -275,14 +269,14 @@ describe('HatchingMaterial', () => {
     expect(material.clone().toneNormal).toBe('smooth');
   });
 
-  test('crisp changes the program, and only when it is changed', () => {
+  test('sharp ink changes the program, and only when it is changed', () => {
     const material = new HatchingMaterial({ technique: 'adjacency' });
     const { version } = material;
-    material.crisp = false;
+    material.perTriangle.sharpInk = false;
     expect(material.version).toBe(version);
-    material.crisp = true;
+    material.perTriangle.sharpInk = true;
     expect(material.version).toBe(version + 1);
-    expect(material.clone().crisp).toBe(true);
+    expect(material.clone().perTriangle.sharpInk).toBe(true);
   });
 
   test('strokes sized on the object alone have a program of their own, and all other sizes share one', () => {
@@ -320,8 +314,8 @@ describe('HatchingMaterial', () => {
       strokeAnchor: 'deformed',
       tilesPerObjectUnit: 5,
       strokeAngle: 0.5,
-      strokeOffset: new Vector2(0.1, 0.2),
-      blendAngle: 0.7,
+      perTriangle: { strokeOffset: new Vector2(0.1, 0.2), blendAngle: 0.7, levelRule: 'depth' },
+
       latticeSpacing: 0.2,
       screenSpaceShare: 0.5,
       edgePixels: 0.5,
@@ -333,7 +327,7 @@ describe('HatchingMaterial', () => {
       reflectedLight: 0.3,
       strokeLayers: 'tone',
       crossAngle: 1.2,
-      levelRule: 'depth',
+
       inkBlend: 'multiply',
       paperOpacity: 0.4,
       ink: 'navy',
@@ -357,7 +351,6 @@ describe('HatchingMaterial', () => {
       'strokeAnchor',
       'tilesPerObjectUnit',
       'strokeAngle',
-      'blendAngle',
       'latticeSpacing',
       'screenSpaceShare',
       'edgePixels',
@@ -366,7 +359,6 @@ describe('HatchingMaterial', () => {
       'reflectedLight',
       'strokeLayers',
       'crossAngle',
-      'levelRule',
       'inkBlend',
       'paperOpacity',
       'map',
@@ -381,7 +373,10 @@ describe('HatchingMaterial', () => {
       expect(clone[key].equals(source[key]), key).toBe(true);
       expect(clone[key]).not.toBe(source[key]);
     }
-    expect(clone.strokeOffset.toArray()).toEqual([0.1, 0.2]);
+    expect(clone.perTriangle.strokeOffset.toArray()).toEqual([0.1, 0.2]);
+    for (const key of ['blendAngle', 'levelRule', 'sharpInk'] as const)
+      expect(clone.perTriangle[key], key).toBe(source.perTriangle[key]);
+    expect(clone.composition).toBe(source.composition);
     expect(clone.uniforms).not.toBe(source.uniforms);
     expect(clone.uniforms.tonalArtMap.value).toBe(map.texture);
     expect(clone.uniforms.toneCurveCubics.value).toEqual(source.uniforms.toneCurveCubics.value);
@@ -413,7 +408,10 @@ describe('values of the wrong kind', () => {
     for (const [wrong, message] of [
       [{ tilesPerObjectUnit: 7, map: { image: {} } }, 'HatchingMaterial.map: expected a THREE.Texture or null.'],
       [{ tilesPerObjectUnit: 7, normalMap: 1 }, 'HatchingMaterial.normalMap: expected a THREE.Texture or null.'],
-      [{ tilesPerObjectUnit: 7, strokeOffset: null }, 'HatchingMaterial.strokeOffset: expected a THREE.Vector2'],
+      [
+        { tilesPerObjectUnit: 7, perTriangle: { strokeOffset: null } },
+        'HatchingMaterial.perTriangle.strokeOffset: expected a THREE.Vector2',
+      ],
       [
         { tilesPerObjectUnit: 7, normalScale: { x: 1, y: Number.NaN } },
         'HatchingMaterial.normalScale: expected a THREE.Vector2',
@@ -422,7 +420,10 @@ describe('values of the wrong kind', () => {
       [{ tilesPerObjectUnit: 7, edgePixels: null }, 'HatchingMaterial.edgePixels: null is not a number'],
       [{ tilesPerObjectUnit: 7, direction: 'constructor' }, 'HatchingMaterial.direction: "constructor" is not known'],
       [{ tilesPerObjectUnit: 7, inkBlend: 'auto' }, 'HatchingMaterial.inkBlend: "auto" is not known'],
-      [{ tilesPerObjectUnit: 7, crisp: 'yes' }, 'HatchingMaterial.crisp: expected true or false.'],
+      [
+        { tilesPerObjectUnit: 7, perTriangle: { sharpInk: 'yes' } },
+        'HatchingMaterial.perTriangle.sharpInk: expected true or false.',
+      ],
       [{ tilesPerObjectUnit: 7, toneCurve: [[0, 0]] }, 'HatchingMaterial.toneCurve: '],
       [{ tilesPerObjectUnit: 7, tonalArtMap: {} }, 'HatchingMaterial.tonalArtMap: '],
       ...['nonsense', 'constructor', '#12', 'rgb(red)', '', null, Number.NaN, {}, true].map(
@@ -435,7 +436,7 @@ describe('values of the wrong kind', () => {
     }
     expect(material.tilesPerObjectUnit).not.toBe(7);
     expect(material).toBeInstanceOf(HatchingMaterial);
-    expect(() => Object.assign(material, { crisp: 'yes' })).toThrow('expected true or false');
+    expect(() => Object.assign(material.perTriangle, { sharpInk: 'yes' })).toThrow('expected true or false');
     expect(warn.mock.calls.every(([message]) => /Color/.test(message))).toBe(true);
   });
 
@@ -453,7 +454,13 @@ describe('values of the wrong kind', () => {
     ]) {
       expect(new HatchingMaterial({ ink }).ink.getHex()).toBe(new Color(ink).getHex());
     }
-    new HatchingMaterial({ map: null, strokeWidth: null, toneNormal: 'auto', tonalArtMap: null, crisp: false });
+    new HatchingMaterial({
+      map: null,
+      strokeWidth: null,
+      toneNormal: 'auto',
+      tonalArtMap: null,
+      perTriangle: { sharpInk: false },
+    });
     expect(warn).not.toHaveBeenCalled();
   });
 });

@@ -8,8 +8,9 @@ import {
   type HatchingPropertyName,
 } from '../../../src/look/hatchingProperties.js';
 import { defaultOf } from '../../../src/look/presetParameters.js';
-import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
+import { givenValue, parametersOf } from '../../../src/look/queries.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { HatchingShadowMaterial } from '../../../src/material/HatchingShadowMaterial.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { outputs } from '../../../tools/properties/outputs.js';
 import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
@@ -52,6 +53,13 @@ function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
 }
 
 const changed = Object.fromEntries(rows.map(([name, row]) => [name, anotherValue(name, row)]));
+/** How errors name the owner of a property. */
+const OWNERS = {
+  material: 'HatchingMaterial',
+  composition: 'HatchingComposition',
+  perTriangle: 'HatchingMaterial.perTriangle',
+  shadowMaterial: 'HatchingShadowMaterial',
+} as const;
 /** Properties that three's own material always writes. */
 const WRITTEN_BY_THREE = ['color', 'shininess', 'emissive', 'emissiveIntensity', 'flatShading'];
 
@@ -83,28 +91,37 @@ describe('the table of properties', () => {
 describe('every property', () => {
   test('has its default', () => {
     const material = new HatchingMaterial();
-    for (const name of names) expect(plain(material[name]), name).toEqual(defaultOf(name, 'hatching'));
+    for (const [name, { owner }] of rows) {
+      const holder = owner === 'shadowMaterial' ? new HatchingShadowMaterial() : material;
+      expect(plain(givenValue(holder, name)), name).toEqual(defaultOf(name, 'hatching'));
+    }
   });
 
   test('is copied', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
-    const source = new HatchingMaterial(changed as HatchingMaterialParameters);
+    const source = new HatchingShadowMaterial(parametersOf(changed));
     const clone = source.clone();
     for (const [name] of rows) {
-      expect(plain(source[name]), name).toEqual(plain(changed[name]));
-      expect(plain(clone[name]), name).toEqual(plain(changed[name]));
+      expect(plain(givenValue(source, name)), name).toEqual(plain(changed[name]));
+      expect(plain(givenValue(clone, name)), name).toEqual(plain(changed[name]));
     }
+    expect(clone.composition).toBe(source.composition);
+    expect(clone.perTriangle).not.toBe(source.perTriangle);
     expect(clone.defines).toEqual(source.defines);
   });
 
   test('is written as JSON unless it is at its default, except the tonal art map', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
     const bare = new HatchingMaterial().toJSON() as unknown as Record<string, unknown>;
-    const full = new HatchingMaterial(changed as HatchingMaterialParameters).toJSON() as unknown as typeof bare;
+    const full = new HatchingShadowMaterial(parametersOf(changed)).toJSON() as unknown as typeof bare;
     expect(bare.type).toBe('HatchingMaterial');
     expect(bare).not.toHaveProperty('uniforms');
-    for (const [name, { kind }] of rows) {
-      if (kind === 'texture') expect(full[name], name).toBe((changed[name] as Texture).uuid);
+    expect(bare).not.toHaveProperty('composition');
+    expect(bare).not.toHaveProperty('perTriangle');
+    for (const [name, { kind, owner }] of rows) {
+      if (owner === 'composition' || owner === 'perTriangle')
+        expect((full[owner] as typeof bare)[name], name).toEqual(plain(changed[name]));
+      else if (kind === 'texture') expect(full[name], name).toBe((changed[name] as Texture).uuid);
       else if (kind === 'tonalArtMap') expect(full).not.toHaveProperty(name);
       else expect(full[name], name).toEqual(plain(changed[name]));
       if (!WRITTEN_BY_THREE.includes(name)) expect(bare).not.toHaveProperty(name);
@@ -120,17 +137,20 @@ describe('every property', () => {
     for (const [name, row] of rows) {
       // Without highlights their softness has no effect, and an exposure that is not fitted has no compensation.
       const base = {
-        technique: row.techniques?.[0] ?? 'adjacency',
+        technique: row.techniques?.[0] ?? (row.owner === 'composition' ? 'hatching' : 'adjacency'),
         highlightThreshold: 0.1,
         exposure: 'auto',
         ...(name === 'focusRadius' && { focus: [0, 0, 0] }),
       };
-      const parameters = { ...base, tonalArtMap: changed.tonalArtMap, [name]: anotherValue(name, row) };
-      const before = new HatchingMaterial({
-        ...base,
-        tonalArtMap: name === 'tonalArtMap' ? null : changed.tonalArtMap,
-      } as HatchingMaterialParameters);
-      expect(seen(new HatchingMaterial(parameters as HatchingMaterialParameters)), name).not.toBe(seen(before));
+      const Made = row.owner === 'shadowMaterial' ? HatchingShadowMaterial : HatchingMaterial;
+      const drawn = (values: object): string => {
+        const material = new Made(parametersOf({ ...base, ...values }));
+        material.copy(material);
+        return seen(material);
+      };
+      const { tonalArtMap } = changed;
+      const before = drawn({ tonalArtMap: name === 'tonalArtMap' ? null : tonalArtMap });
+      expect(drawn({ tonalArtMap, [name]: anotherValue(name, row) }), name).not.toBe(before);
     }
   });
 });
@@ -145,27 +165,30 @@ describe('a property that does not count for the technique', () => {
   test.each(unused)('%s under %s does not change the program', (name, technique) => {
     const material = new HatchingMaterial({ technique });
     const { version } = material;
-    Object.assign(material, { [name]: name === 'strokeOffset' ? material.strokeOffset.set(1, 1) : changed[name] });
+    Object.assign(material, parametersOf({ [name]: changed[name] }));
     expect(material.version).toBe(version);
   });
 
   test('is remembered for the technique that uses it', () => {
     const material = new HatchingMaterial({ technique: 'hatching' });
-    material.levelRule = 'depth';
-    material.crisp = true;
+    material.perTriangle.levelRule = 'depth';
+    material.perTriangle.sharpInk = true;
     expect(material.defines).toEqual(new HatchingMaterial({ technique: 'hatching' }).defines);
     material.technique = 'adjacency';
-    const expected = new HatchingMaterial({ technique: 'adjacency', levelRule: 'depth', crisp: true });
+    const expected = new HatchingMaterial({
+      technique: 'adjacency',
+      perTriangle: { levelRule: 'depth', sharpInk: true },
+    });
     expect(material.defines).toEqual(expected.defines);
   });
 
   test('causes one warning if it is set to another value than its default', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
-    new HatchingMaterial({ technique: 'hatching', blendAngle: HATCHING_DEFAULTS.blendAngle });
+    new HatchingMaterial({ technique: 'hatching', perTriangle: { blendAngle: HATCHING_DEFAULTS.blendAngle } });
     expect(warn).not.toHaveBeenCalled();
-    for (let i = 0; i < 2; i++) new HatchingMaterial({ blendAngle: 1, technique: 'hatching' });
+    for (let i = 0; i < 2; i++) new HatchingMaterial({ perTriangle: { blendAngle: 1 }, technique: 'hatching' });
     expect(warn.mock.calls).toEqual([
-      ['HatchingMaterial: "blendAngle" is not used by the technique "hatching", only by adjacency.'],
+      ['HatchingMaterial.perTriangle: "blendAngle" is not used by the technique "hatching", only by adjacency.'],
     ]);
   });
 });
@@ -184,15 +207,16 @@ describe('a value out of range', () => {
 
   test.each(numbers)('%s is refused, and the previous value stays', (name, row) => {
     const { range } = row;
-    const material = new HatchingMaterial();
+    const material = new HatchingShadowMaterial();
+    const fallback = givenValue(material, name);
     for (const value of [...outside(range), '1', ...(row.default === null ? [] : [null])]) {
-      const set = (): unknown => Object.assign(material, { [name]: value });
-      expect(set, String(value)).toThrow(`HatchingMaterial.${name}: ${value} is not a number`);
+      const set = (): unknown => Object.assign(material, parametersOf({ [name]: value }));
+      expect(set, String(value)).toThrow(`${OWNERS[row.owner ?? 'material']}.${name}: ${value} is not a number`);
     }
-    expect(material[name]).toBe(defaultOf(name, material.technique));
+    expect(givenValue(material, name)).toBe(fallback);
     for (const value of [range?.from, range?.to].filter((bound) => bound !== undefined)) {
-      Object.assign(material, { [name]: value });
-      expect(material[name]).toBe(value);
+      Object.assign(material, parametersOf({ [name]: value }));
+      expect(givenValue(material, name)).toBe(value);
     }
   });
 
@@ -205,14 +229,16 @@ describe('a value out of range', () => {
 
 test('vectors may be given as arrays, and stay vectors of their own', () => {
   const given = [0.2, 0.4] as const;
-  const material = new HatchingMaterial({ strokeOffset: given, normalScale: [2, 3] });
-  const { strokeOffset } = material;
+  const material = new HatchingMaterial({ perTriangle: { strokeOffset: given }, normalScale: [2, 3] });
+  const { strokeOffset } = material.perTriangle;
   expect([strokeOffset, material.normalScale]).toEqual([new Vector2(0.2, 0.4), new Vector2(2, 3)]);
-  material.setValues({ strokeOffset: [0, 1] });
-  expect(material.strokeOffset).toBe(strokeOffset);
+  material.setValues({ perTriangle: { strokeOffset: [0, 1] } });
+  expect(material.perTriangle.strokeOffset).toBe(strokeOffset);
   expect(strokeOffset.toArray()).toEqual([0, 1]);
   for (const wrong of [[1], [1, 2, 3], [1, '2'], [Number.NaN, 0]]) {
-    expect(() => material.setValues({ strokeOffset: wrong as unknown as [number, number] })).toThrow('array of two');
+    expect(() => material.setValues({ perTriangle: { strokeOffset: wrong as unknown as [number, number] } })).toThrow(
+      'array of two',
+    );
   }
 });
 
@@ -238,16 +264,16 @@ describe('the width of strokes on the screen', () => {
 describe('JSON', () => {
   test('restores every property, textures by their uuid, except the tonal art map', () => {
     vi.spyOn(console, 'warn').mockImplementation(() => {});
-    const source = new HatchingMaterial({ ...(changed as HatchingMaterialParameters), side: DoubleSide, fog: false });
+    const source = new HatchingShadowMaterial({ ...parametersOf(changed), side: DoubleSide, fog: false });
     source.name = 'stone';
     source.stencilRef = 3;
     source.userData = { note: [1, 2] };
     source.depthWrite = false;
     const given = names.map((name) => changed[name]).filter((value) => value instanceof Texture);
     const textures = Object.fromEntries(given.map((texture) => [texture.uuid, texture]));
-    const made = HatchingMaterial.fromJSON(JSON.parse(JSON.stringify(source.toJSON())), textures);
+    const made = HatchingShadowMaterial.fromJSON(JSON.parse(JSON.stringify(source.toJSON())), textures);
     for (const name of names.filter((name) => name !== 'tonalArtMap')) {
-      expect(plain(made[name]), name).toEqual(plain(source[name]));
+      expect(plain(givenValue(made, name)), name).toEqual(plain(givenValue(source, name)));
     }
     for (const key of ['uuid', 'name', 'side', 'fog', 'stencilRef', 'depthWrite', 'userData'] as const) {
       expect(made[key], key).toEqual(source[key]);

@@ -19,7 +19,7 @@ const material: ReferenceMaterial = {
   strokeLayers: 'single',
   crossFrom: 0.52,
   crossAngle: Math.PI / 3,
-  crisp: false,
+  sharpInk: false,
   levelRule: 'derivatives',
   inkBlend: 'cover',
   tilesPerObjectUnit: 1,

@@ -93,7 +93,8 @@ describe('update', () => {
     const [kept, gone] = [crate(), ball()];
     const root = new Group().add(kept, gone);
     const hatched = await applyHatching(root, 'pen');
-    const { tilesPerObjectUnit, extent } = materialOf(kept);
+    const { tilesPerObjectUnit } = materialOf(kept);
+    const { extent } = hatched.composition;
     const freed = disposals();
     freed.watch([gone.geometry, gone.material as Material]);
     const added = new Mesh(new SphereGeometry(50, 8, 6), kept.userData.source ?? new MeshStandardMaterial());
@@ -107,7 +108,7 @@ describe('update', () => {
     expect(kept.material).toBe(before);
     expect(sharing.material, 'one source, one material').toBe(before);
     expect(materialOf(added).tilesPerObjectUnit).toBe(tilesPerObjectUnit);
-    expect(materialOf(added).extent).toBe(extent);
+    expect(materialOf(added).composition.extent).toBe(extent);
     expect(extent!.box.max.x).toBeGreaterThan(40);
     expect(gone.material).toBeInstanceOf(MeshBasicMaterial);
     expect([gone.children, freed.count]).toEqual([[], 2]);

@@ -27,7 +27,7 @@ describe('errors', () => {
   test.each([
     [
       { layot: 'pull' },
-      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, detail, filter, onGeometry, onFormProgress, invalidate, preset, renderer, camera, adjacency, ',
+      'unknown option "layot". The known ones are tonalArtMap, material, tilesPerWorldUnit, detail, filter, onGeometry, onFormProgress, invalidate, preset, shadow, renderer, camera, adjacency, ',
     ],
     [null, 'the options are null. Pass an object'],
     [{ signal: 'now' }, 'signal is now, but must be an AbortSignal'],

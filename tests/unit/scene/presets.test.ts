@@ -28,6 +28,7 @@ describe('presets', () => {
     for (const [property, value] of Object.entries(material)) {
       const got: unknown = made[property as keyof HatchingMaterial];
       if (property === 'ink' || property === 'paper') expect(`#${made[property].getHexString()}`).toBe(value);
+      else if (property === 'composition') expect(got).toMatchObject(value as object);
       else expect(got, property).toEqual(value);
     }
     const drawn = new HatchingOutlineMaterial(outlines);

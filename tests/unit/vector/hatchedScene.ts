@@ -10,7 +10,9 @@ import {
 } from 'three';
 import type { HatchingMaterialParameters } from '../../../src/material/checkValues.js';
 import { prepareHatchingGeometry } from '../../../src/material/geometry/prepareHatchingGeometry.js';
+import type { HatchingShadowMaterialParameters } from '../../../src/material/groups/shadows.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { HatchingShadowMaterial } from '../../../src/material/HatchingShadowMaterial.js';
 import type { HatchingOutlineParameters } from '../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { HatchingOutlines } from '../../../src/material/outlines/HatchingOutlines.js';
 
@@ -27,6 +29,12 @@ export async function hatchedMesh(source: BufferGeometry, { material = {}, outli
   const mesh = new Mesh(geometry, new HatchingMaterial({ technique: 'engraving', ...material }));
   if (outlines !== false) mesh.add(new HatchingOutlines(mesh, outlines));
   return mesh;
+}
+
+/** An engraved mesh that shows shadows alone, without outlines. */
+export async function shadowMesh(source: BufferGeometry, material: HatchingShadowMaterialParameters) {
+  const geometry = await prepareHatchingGeometry(source, { technique: 'engraving' });
+  return new Mesh(geometry, new HatchingShadowMaterial({ technique: 'engraving', ...material }));
 }
 
 /** A scene in the light of one sun of intensity π. */

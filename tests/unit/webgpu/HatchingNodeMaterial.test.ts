@@ -1,6 +1,7 @@
 import { BoxGeometry, DirectionalLight, Group, Mesh, MeshStandardMaterial, Scene, Vector3 } from 'three';
 import { describe, expect, test, vi } from 'vitest';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../src/look/hatchingProperties.js';
+import { givenValue } from '../../../src/look/queries.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { applyHatching } from '../../../src/webgpu/applyHatching.js';
 import { HatchingNodeMaterial } from '../../../src/webgpu/HatchingNodeMaterial.js';
@@ -14,7 +15,7 @@ describe('HatchingNodeMaterial', () => {
     (preset) => {
       const glsl = new HatchingMaterial(preset && { preset });
       const nodes = new HatchingNodeMaterial(preset && { preset });
-      for (const name of names) expect(nodes[name], name).toEqual(glsl[name]);
+      for (const name of names) expect(givenValue(nodes, name), name).toEqual(givenValue(glsl, name));
       for (const name of ['side', 'transparent', 'lights', 'fog', 'toneMapped'] as const)
         expect(nodes[name], name).toBe(glsl[name]);
     },
@@ -32,11 +33,11 @@ describe('HatchingNodeMaterial', () => {
     const source = new HatchingNodeMaterial({
       preset: 'woodcut',
       ink: 0x123456,
-      focus: new Vector3(1, 2, 3),
+      composition: { focus: new Vector3(1, 2, 3) },
       opacity: 0.5,
     });
     const copy = source.clone();
-    for (const name of names) expect(copy[name], name).toEqual(source[name]);
+    for (const name of names) expect(givenValue(copy, name), name).toEqual(givenValue(source, name));
     expect(copy.opacity).toBe(0.5);
     expect(copy.uniforms).not.toBe(source.uniforms);
     copy.ink.set(0xffffff);

@@ -21,7 +21,9 @@ const room = ((): DataTexture => {
 
 /** A knot in a room, with the lamps of {@link knot} or without. */
 async function inRoom(kit: Kit, parameters: HatchingMaterialParameters, hasLamps: boolean): Promise<KnotStage> {
-  const stage = knot(await kit.hatching({ technique: 'engraving', direction: 'slant', exposure: 1, ...parameters }));
+  const stage = knot(
+    await kit.hatching({ technique: 'engraving', direction: 'slant', composition: { exposure: 1 }, ...parameters }),
+  );
   const { scene } = stage;
   scene.environment = room;
   scene.environmentIntensity = 0.6;
@@ -36,7 +38,10 @@ export const cases: readonly SceneCase[] = [
   { name: 'an environment alone', show: (kit) => inRoom(kit, {}, false) },
   {
     name: 'an environment beside a lamp, on faces',
-    show: (kit) => inRoom(kit, { toneNormal: 'face', exposure: 1.5 }, true),
+    show: (kit) => inRoom(kit, { toneNormal: 'face', composition: { exposure: 1.5 } }, true),
   },
-  { name: 'an exposure that is fitted to an environment', show: (kit) => inRoom(kit, { exposure: 'auto' }, true) },
+  {
+    name: 'an exposure that is fitted to an environment',
+    show: (kit) => inRoom(kit, { composition: { exposure: 'auto' } }, true),
+  },
 ];

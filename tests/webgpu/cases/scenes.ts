@@ -54,7 +54,13 @@ export const cases: readonly SceneCase[] = [
     name: 'its colours filled, half of their tone kept, far things fainter',
     show: (kit) =>
       hatched(kit, {
-        material: { ...LINES, colorFill: 1, colorHatching: 0.5, depthFade: 0.8, direction: 'towardsLight' },
+        material: {
+          ...LINES,
+          colorFill: 1,
+          colorHatching: 0.5,
+          composition: { depthFade: 0.8 },
+          direction: 'towardsLight',
+        },
       }),
   },
   {

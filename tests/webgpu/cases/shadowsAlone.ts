@@ -1,15 +1,18 @@
 import { BasicShadowMap, PCFShadowMap, VSMShadowMap } from 'three';
-import type { HatchingMaterialParameters } from 'three-hatching';
+import type { HatchingShadowMaterialParameters } from 'three-hatching';
 import { type Casting, lamp, onGround, spot } from '../ground.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
-const LINES = { technique: 'engraving', exposure: 1, lineSpacing: 6 } as const;
-const STROKES = { technique: 'hatching', exposure: 1, edgePixels: 0 } as const;
-const SHADOWS = { toneModel: 'shadow', transparent: true, paperOpacity: 0 } as const;
+const LINES = { technique: 'engraving', composition: { exposure: 1 }, lineSpacing: 6 } as const;
+const STROKES = { technique: 'hatching', composition: { exposure: 1 }, edgePixels: 0 } as const;
 
 /** A ground that shows only shadows. @param light replaces the sun */
-async function alone(kit: Kit, parameters: HatchingMaterialParameters, light: Casting | null = null): Promise<Stage> {
-  const stage = await onGround(kit, LINES, { ...SHADOWS, ...parameters });
+async function alone(
+  kit: Kit,
+  parameters: HatchingShadowMaterialParameters,
+  light: Casting | null = null,
+): Promise<Stage> {
+  const stage = await onGround(kit, LINES, await kit.shadows(parameters));
   if (light) stage.scene.remove(stage.sun).add(light);
   return stage;
 }

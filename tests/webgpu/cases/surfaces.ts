@@ -119,7 +119,7 @@ export const cases: readonly SceneCase[] = [
   },
   {
     name: 'dots in three layers',
-    show: (kit) => drawn(kit, { technique: 'stipple', exposure: 0.5 }),
+    show: (kit) => drawn(kit, { technique: 'stipple', composition: { exposure: 0.5 } }),
   },
   {
     name: 'ink that takes its colour of the ground too',

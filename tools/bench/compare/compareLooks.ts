@@ -37,7 +37,7 @@ async function settle(stage: Stage, root: Group): Promise<void> {
 }
 
 async function sceneOf(
-  { applyHatching, bakeOcclusion, HatchingMaterial, prepareHatchingGeometry, presets }: Library,
+  { applyHatching, bakeOcclusion, HatchingShadowMaterial, prepareHatchingGeometry, presets }: Library,
   source: Awaited<ReturnType<typeof loadModel>>,
   name: PresetName,
 ): Promise<{ root: Group; dispose(): void }> {
@@ -51,14 +51,7 @@ async function sceneOf(
   await hatched.formReady;
   const occlusion = await bakeOcclusion(root);
   const [{ tonalArtMap }] = hatched.materials;
-  const material = new HatchingMaterial({
-    ...presets[name].material,
-    tonalArtMap,
-    toneModel: 'shadow',
-    transparent: true,
-    paperOpacity: 0,
-    depthWrite: false,
-  });
+  const material = new HatchingShadowMaterial({ preset: name, tonalArtMap, depthWrite: false });
   await material.ready;
   const plane = new PlaneGeometry(6, 6, 8, 8).rotateX(-Math.PI / 2);
   const ground = new Mesh(await prepareHatchingGeometry(plane), material);

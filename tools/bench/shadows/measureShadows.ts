@@ -2,11 +2,13 @@ import { Group, Mesh, type Object3D, PlaneGeometry } from 'three';
 import {
   HatchingMaterial,
   type HatchingMaterialParameters,
+  HatchingShadowMaterial,
+  type HatchingShadowMaterialParameters,
   type HatchingTechnique,
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
-import { plainLook } from '../../plainLook.js';
+import { plainLook, plainShadow } from '../../plainLook.js';
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 import { timeTurns } from '../timeTurns.js';
@@ -45,9 +47,9 @@ export async function measureShadows(model: string, turns: number, size: number)
       against[name] = `${technique} tone`;
     }
     const plane = await prepareHatchingGeometry(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2), { layout: 'corner' });
-    const grounded = (parameters: HatchingMaterialParameters): Group => {
-      const look = plainLook({ tonalArtMap, technique, toneModel: 'shadow', paperOpacity: 0, ...parameters });
-      const ground = new Mesh(plane, new HatchingMaterial({ ...look, transparent: true }));
+    const grounded = (parameters: HatchingShadowMaterialParameters): Group => {
+      const look = plainShadow({ tonalArtMap, technique, ...parameters });
+      const ground = new Mesh(plane, new HatchingShadowMaterial(look));
       ground.position.y = -0.7;
       ground.receiveShadow = true;
       return new Group().add(hatched(technique, {}), ground);

@@ -6,9 +6,33 @@ const techniques = [...STROKES_FAMILY, ...LINES_FAMILY];
 
 /** The properties of composition: where the drawing has weight, and where it is left out. */
 export const COMPOSITION = {
+  exposure: {
+    kind: 'number',
+    group: 'Composition',
+    owner: 'composition',
+    default: 1,
+    measure: 'factor',
+    range: { above: 0 },
+    words: ['fit', 'auto'],
+    uniform: false,
+    sentence:
+      "What the light is multiplied by before it becomes tone. `'fit'` fits it to the lights and surfaces of the scene in the first frame, so that lights, half tones and darks are those of a sphere in a single light of intensity π, and keeps it until `refit()`: a part that is hidden, added or coloured changes no other part. `'auto'` fits it again whenever lights or surfaces change. For a material with a `toneCurve` of points that no preset has, both are 1 ([lights-and-tone.md](lights-and-tone.md#exposure)).",
+  },
+  exposureCompensation: {
+    kind: 'number',
+    group: 'Composition',
+    owner: 'composition',
+    default: 1,
+    measure: 'factor',
+    range: { above: 0 },
+    uniform: false,
+    when: { exposure: ['fit', 'auto'] },
+    sentence: 'What the fitted exposure is multiplied by: above 1 for a lighter picture, below for a darker one.',
+  },
   depthFade: {
     kind: 'number',
     group: 'Composition',
+    owner: 'composition',
     default: 'auto',
     measure: 'share',
     range: { from: 0, to: 1 },
@@ -20,6 +44,7 @@ export const COMPOSITION = {
   depthFadeStart: {
     kind: 'number',
     group: 'Composition',
+    owner: 'composition',
     default: 0,
     measure: 'depths',
     uniform: false,
@@ -30,6 +55,7 @@ export const COMPOSITION = {
   depthFadeEnd: {
     kind: 'number',
     group: 'Composition',
+    owner: 'composition',
     default: 1,
     measure: 'depths',
     uniform: false,
@@ -40,6 +66,7 @@ export const COMPOSITION = {
   focus: {
     kind: 'point',
     group: 'Composition',
+    owner: 'composition',
     default: null,
     measure: 'worldUnits',
     techniques,
@@ -49,6 +76,7 @@ export const COMPOSITION = {
   focusRadius: {
     kind: 'number',
     group: 'Composition',
+    owner: 'composition',
     default: 1,
     measure: 'worldUnits',
     range: { above: 0 },
@@ -60,9 +88,11 @@ export const COMPOSITION = {
   vignette: {
     kind: 'number',
     group: 'Composition',
+    owner: 'composition',
     default: 0,
     measure: 'share',
     range: { from: 0, to: 1 },
+    uniform: false,
     techniques,
     sentence:
       'How much the drawing falls off towards the rim of the sheet, in an oval: at 1 nothing is left at the middle of each side.',

@@ -48,15 +48,6 @@ export const STROKES = {
     sentence:
       "How far strokes are turned, counterclockwise, as seen from outside. Where they follow the light, 0 draws them tangent to it, π/2 towards it (figure 14); with `direction: 'sheet'` it is their angle to the horizontal of the sheet. Of lines it turns what cuts them, where a light does: at π/2 `direction: 'light'` is `'towardsLight'`. Half a turn more is the same direction.",
   },
-  strokeOffset: {
-    kind: 'vector2',
-    group: 'Strokes',
-    default: [0, 0],
-    measure: 'tiles',
-    uniform: false,
-    techniques: ['triangle', 'adjacency'],
-    sentence: 'Shift of the strokes along T and B.',
-  },
   strokeAnchor: {
     kind: 'choice',
     group: 'Strokes',
@@ -69,29 +60,6 @@ export const STROKES = {
     default: 'rest',
     sentence:
       'What the strokes of a mesh that deforms are fixed to ([geometry.md](geometry.md#skins-and-morph-targets)).',
-  },
-  crisp: {
-    kind: 'switch',
-    group: 'Strokes',
-    default: false,
-    techniques: ['triangle', 'adjacency'],
-    sentence:
-      'Blends thresholds of ink instead of the greys of strokes, so that strokes stay black and white. `false` is the way of the paper by Suarez et al.',
-  },
-  levelRule: {
-    kind: 'choice',
-    group: 'Strokes',
-    type: 'LevelRule',
-    typeSentence: 'What chooses the level of the tonal art map.',
-    choices: {
-      derivatives:
-        'how fast texture coordinates change on the screen, foreshortening included. Strokes are never finer than drawn, and wider where the surface is seen at a slant.',
-      depth:
-        'the depth of the fragment alone (section 3.4). Strokes are as wide as drawn where the surface is seen face on, and foreshortened like the surface elsewhere.',
-    },
-    default: 'derivatives',
-    techniques: ['triangle', 'adjacency'],
-    sentence: 'What chooses the level of the map. `hatching` and `dryMedia` always go by depth.',
   },
   screenSpaceShare: {
     kind: 'number',
@@ -112,7 +80,7 @@ export const STROKES = {
     range: { above: 0 },
     uniform: false,
     techniques: [...PER_TRIANGLE, ...STROKES_FAMILY],
-    when: [{ crisp: [true] }, { levelRule: ['depth'] }],
+    when: [{ sharpInk: [true] }, { levelRule: ['depth'] }],
     sentence:
       'Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels.',
   },
@@ -123,7 +91,7 @@ export const STROKES = {
     measure: 'gridPixels',
     range: { from: 0 },
     techniques: [...PER_TRIANGLE, 'hatching', 'stipple'],
-    when: { crisp: [true] },
+    when: { sharpInk: [true] },
     sentence:
       'Width over which ink fades at the edge of a stroke or a dot. 0 is hard. Dry media have `softness` instead.',
   },
@@ -244,18 +212,6 @@ export const STROKES = {
     techniques: LINES_FAMILY,
     sentence:
       'How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine.',
-  },
-  blendAngle: {
-    kind: 'number',
-    group: 'Strokes',
-    default: Math.PI / 2,
-    defaultSource: 'Math.PI / 2',
-    measure: 'radians',
-    range: { from: 0, to: Math.PI },
-    uniform: false,
-    techniques: ['adjacency'],
-    sentence:
-      'The angle between the normals of two triangles at which the blend of their strokes has faded out; at 0 nothing blends. The default is the rule of the paper by Suarez et al.',
   },
   shadowStrokes: {
     kind: 'choice',

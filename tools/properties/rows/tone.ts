@@ -1,4 +1,3 @@
-import { LINES_FAMILY } from '../ofTechniques.js';
 import type { PropertyRow } from '../PropertyRow.js';
 
 /** The properties of tone: how dark strokes and lights make the surface. */
@@ -13,69 +12,9 @@ export const TONE = {
       halfLambert: '(N·L / 2 + 1/2)², which reaches round to the side turned away.',
       phong: 'Lambert plus a highlight (R·V)^shininess.',
       toon: 'Lambert in `toneSteps` hard bands, each of them one tone.',
-      shadow:
-        "the share of the light that shadows take, and nothing else: for a ground that shows the shadows on it. With `paperOpacity: 0` and `transparent`, like three's ShadowMaterial, hatched.",
     },
     default: 'lambert',
     sentence: 'How light becomes tone.',
-  },
-  shadowTone: {
-    kind: 'number',
-    group: 'Tone',
-    default: 1,
-    defaultFor: { strokes: 0.5, lines: 0.5 },
-    measure: 'tone',
-    range: { from: 0, to: 1 },
-    when: { toneModel: ['shadow'] },
-    sentence:
-      "How dark the tone model `'shadow'` prints a full shadow where it touches what casts it, as a factor on the tone after the tone curve. At one half a shadow on the ground is lighter than the darks of the body.",
-  },
-  shadowFade: {
-    kind: 'number',
-    group: 'Tone',
-    default: 0,
-    defaultFor: { strokes: 0.65, lines: 0.65 },
-    measure: 'factor',
-    range: { from: 0 },
-    when: { toneModel: ['shadow'] },
-    sentence:
-      "How fast a shadow of the tone model `'shadow'` dissolves with the distance, along the light, from what casts it: the share of its tone that it loses over the width that the light's shadow camera sees. 0: it does not dissolve; 1: nothing is left at a distance of one width; 2: at half of one ([shadows.md](shadows.md)).",
-  },
-  shadowSoftness: {
-    kind: 'number',
-    group: 'Tone',
-    default: 0,
-    defaultFor: { strokes: 0.12, lines: 0.12 },
-    measure: 'factor',
-    range: { from: 0 },
-    when: { toneModel: ['shadow'] },
-    sentence:
-      "How wide the edges of shadows of the tone model `'shadow'` are, as a share of the distance to what casts them: the width of a round lamp as a share of its own distance. At 0 all edges are as wide as the light's `shadow.radius` says.",
-  },
-  shadowDirection: {
-    kind: 'choice',
-    group: 'Tone',
-    type: 'ShadowDirection',
-    typeSentence: "Which way the strokes of the tone model `'shadow'` run.",
-    choices: {
-      away: 'in one layer, away from the light: a long stroke thins out along the shadow and ends with it.',
-      strokes: 'as those of any other surface, by all the properties of strokes.',
-    },
-    default: 'strokes',
-    defaultFor: { perTriangle: 'strokes', strokes: 'away', lines: 'away' },
-    when: { toneModel: ['shadow'] },
-    sentence: "Which way the strokes of the tone model `'shadow'` run. `'auto'` leaves it to the technique again.",
-  },
-  shadowSpacing: {
-    kind: 'number',
-    group: 'Tone',
-    default: 1.4,
-    measure: 'factor',
-    range: { above: 0 },
-    techniques: LINES_FAMILY,
-    when: { toneModel: ['shadow'] },
-    sentence:
-      "How many times as far apart as `lineSpacing` the lines of the tone model `'shadow'` are, so that a shadow on the ground is calmer than the body.",
   },
   toneSteps: {
     kind: 'number',
@@ -108,28 +47,6 @@ export const TONE = {
     defaultFor: { perTriangle: 'face', strokes: 'smooth', lines: 'smooth' },
     sentence:
       "The normal that tone is computed from. The value in use is read back; `'auto'` leaves it to the technique again.",
-  },
-  exposure: {
-    kind: 'number',
-    group: 'Tone',
-    default: 1,
-    measure: 'factor',
-    range: { above: 0 },
-    isAuto: true,
-    uniform: false,
-    when: { toneModel: ['lambert', 'halfLambert', 'phong', 'toon'] },
-    sentence:
-      "What the light is multiplied by before it becomes tone. `'auto'` fits it to the lights and surfaces of the scene, so that lights, half tones and darks are those of a sphere in a single light of intensity π; it stays the same while only the camera moves. With a `toneCurve` of points that no preset has, `'auto'` is 1 ([lights-and-tone.md](lights-and-tone.md#exposure)).",
-  },
-  exposureCompensation: {
-    kind: 'number',
-    group: 'Tone',
-    default: 1,
-    measure: 'factor',
-    range: { above: 0 },
-    uniform: false,
-    when: { exposure: ['auto'], toneModel: ['lambert', 'halfLambert', 'phong', 'toon'] },
-    sentence: 'What the fitted exposure is multiplied by: above 1 for a lighter picture, below for a darker one.',
   },
   toneCurve: {
     kind: 'curve',

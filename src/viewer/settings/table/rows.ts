@@ -1,5 +1,11 @@
 import { MathUtils } from 'three';
-import type { HatchingMaterialOptions, HatchingPropertyName } from 'three-hatching';
+import type {
+  HatchingCompositionOptions,
+  HatchingMaterialOptions,
+  HatchingPropertyName,
+  HatchingShadowOptions,
+  PerTriangleOptions,
+} from 'three-hatching';
 import {
   defaultOf,
   HATCHING_DEFAULTS,
@@ -203,6 +209,9 @@ export function numberOf(
   };
 }
 
+/** The properties of the material, and of the objects that own others. */
+type AllOptions = HatchingMaterialOptions & HatchingCompositionOptions & PerTriangleOptions & HatchingShadowOptions;
+
 /**
  * The row of a material property with choices.
  *
@@ -210,7 +219,7 @@ export function numberOf(
  */
 export function choiceOf<
   Name extends OfKind<'choice'>,
-  const Choices extends Readonly<Record<Exclude<HatchingMaterialOptions[Name], LeftOut>, string>>,
+  const Choices extends Readonly<Record<Exclude<AllOptions[Name], LeftOut>, string>>,
   LeftOut extends string = never,
 >(
   property: Name,

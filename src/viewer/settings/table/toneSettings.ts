@@ -17,8 +17,6 @@ export const TONE_SETTINGS = inGroup('Tone', 'hand', {
   toneModel: choiceOf('toneModel', {
     label: 'Shading',
     choices: { lambert: 'Lambert', halfLambert: 'Half Lambert', phong: 'Phong', toon: 'Toon' },
-    // `shadow` is for the ground's material.
-    leftOut: ['shadow'],
   }),
   toneNormal: choiceOf('toneNormal', {
     label: 'Normals',

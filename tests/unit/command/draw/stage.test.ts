@@ -1,5 +1,5 @@
 import { type BufferGeometry, type Mesh, type PerspectiveCamera, Spherical, Vector3 } from 'three';
-import type { HatchingMaterial } from 'three-hatching';
+import type { HatchingShadowMaterial } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
 import { NodeSurroundings } from '../../../../src/command/draw/NodeSurroundings.js';
 import { settingsFor, setUpScene } from '../../../../src/command/draw/setUpScene.js';
@@ -126,7 +126,7 @@ describe('the stage', () => {
   test('has a shadow that ends on the sheet where it would be cut, and as the look says elsewhere', async () => {
     const fadeOf = async (...args: string[]): Promise<number> => {
       const { scene } = await staged(['--view', '0 20', ...args]);
-      return (scene.getObjectByName('ground') as Mesh<BufferGeometry, HatchingMaterial>).material.shadowFade;
+      return (scene.getObjectByName('ground') as Mesh<BufferGeometry, HatchingShadowMaterial>).material.shadowFade;
     };
     const usual = await fadeOf('--light', '30 70');
     expect(usual).toBe(0.65);

@@ -22,13 +22,13 @@ import {
   SpotLight,
   Vector3,
 } from 'three';
-import { fitExposure, HatchingMaterial, type HatchingMaterialParameters } from 'three-hatching';
+import { fitExposure, HatchingMaterial, type HatchingMaterialParameters, HatchingShadowMaterial } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
 import { ExposureFit } from '../../../../src/material/exposure/ExposureFit.js';
 
 const ball = new SphereGeometry(1, 128, 64);
 const auto = (parameters: HatchingMaterialParameters = {}): HatchingMaterial =>
-  new HatchingMaterial({ exposure: 'auto', reflectedLight: 0, ...parameters });
+  new HatchingMaterial({ composition: { exposure: 'auto' }, reflectedLight: 0, ...parameters });
 
 function sun(intensity: number, x = 1, y = 2, z = 3): DirectionalLight {
   const light = new DirectionalLight(0xffffff, intensity);
@@ -162,7 +162,10 @@ describe('surfaces', () => {
     const other = new Mesh(new BoxGeometry(50, 50, 50), new HatchingMaterial());
     const hidden = new Mesh(new BoxGeometry(50, 50, 50), auto());
     hidden.visible = false;
-    const shadow = new Mesh(new BoxGeometry(50, 50, 50), auto({ toneModel: 'shadow' }));
+    const shadow = new Mesh(
+      new BoxGeometry(50, 50, 50),
+      new HatchingShadowMaterial({ composition: { exposure: 'auto' } }),
+    );
     const alone = fitExposure(sceneOf(new Mesh(ball, auto()), sun(2)));
     expect(fitExposure(sceneOf(new Mesh(ball, auto()), other, hidden, shadow, sun(2)))).toEqual(alone);
   });

@@ -50,6 +50,6 @@ test('without light nothing is fitted but the colours', () => {
 
 test('a material takes a fit with its compensation, and its colours are divided by what is white', () => {
   const uniforms = { exposure: { value: new Vector2() }, colorExposure: { value: 1 } };
-  writeFit({ scale: 2, offset: -0.5, white: 0.4 }, { exposureCompensation: 1.5 } as never, uniforms);
+  writeFit({ scale: 2, offset: -0.5, white: 0.4 }, { composition: { exposureCompensation: 1.5 } }, uniforms);
   expect([...uniforms.exposure.value, uniforms.colorExposure.value]).toEqual([3, -0.75, 2.5]);
 });

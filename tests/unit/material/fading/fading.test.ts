@@ -8,6 +8,8 @@ import {
   writeImportance,
 } from '../../../../src/material/fading/fading.js';
 import { SceneExtent } from '../../../../src/material/fading/SceneExtent.js';
+import { HatchingComposition } from '../../../../src/material/groups/HatchingComposition.js';
+import type { HatchingCompositionOptions } from '../../../../src/material/groups/ownedProperties.js';
 import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { writeSheet } from '../../../../src/material/pictureOffset.js';
 
@@ -25,48 +27,59 @@ function fading(parameters: HatchingMaterialParameters): number[] {
   return (uniforms.depthFading.value as Vector3).toArray();
 }
 
+// Its code is not fetched after the tests have ended.
+await HatchingMaterial.preload();
+
+/** A composition of a scene of this extent. */
+const within = (extent: SceneExtent, values: Partial<HatchingCompositionOptions> = {}): HatchingComposition =>
+  Object.assign(new HatchingComposition(values), { extent });
+
 test('depth is measured by the scene where it is known, and by the world elsewhere', () => {
-  const look = { technique: 'engraving', depthFade: 0.5, depthFadeStart: 0.25, depthFadeEnd: 2 } as const;
-  expect(fading({ ...look, extent })).toEqual([4.5, 22, 0.5]);
-  expect(fading(look)).toEqual([0.25, 2, 0.5]);
+  const look = { depthFade: 0.5, depthFadeStart: 0.25, depthFadeEnd: 2 } as const;
+  expect(fading({ technique: 'engraving', composition: within(extent, look) })).toEqual([4.5, 22, 0.5]);
+  expect(fading({ technique: 'engraving', composition: look })).toEqual([0.25, 2, 0.5]);
 });
 
 test('the measure goes with the object that the extent is of', () => {
   frame.position.z = -3;
   frame.updateMatrixWorld();
-  expect(fading({ technique: 'engraving', depthFade: 1, extent })).toEqual([5, 15, 1]);
+  expect(fading({ technique: 'engraving', composition: within(extent, { depthFade: 1 }) })).toEqual([5, 15, 1]);
   frame.position.z = 0;
   frame.updateMatrixWorld();
 });
 
 test('left to itself, only a deep scene fades', () => {
-  expect(fading({ technique: 'hatching', extent })).toEqual([2, 12, 0.7]);
+  expect(fading({ technique: 'hatching', composition: within(extent) })).toEqual([2, 12, 0.7]);
   expect(fading({ technique: 'hatching' })[2]).toBe(0);
   const ball = new SceneExtent(frame, new Box3(new Vector3(-1, -1, -6), new Vector3(1, 1, -4)));
-  expect(fading({ technique: 'hatching', extent: ball })[2]).toBe(0);
+  expect(fading({ technique: 'hatching', composition: within(ball) })[2]).toBe(0);
 });
 
 test('a fade whose end lies before its start is an edge', () => {
-  const [near, far] = fading({ technique: 'engraving', depthFade: 1, depthFadeStart: 3, depthFadeEnd: 1 });
+  const [near, far] = fading({
+    technique: 'engraving',
+    composition: { depthFade: 1, depthFadeStart: 3, depthFadeEnd: 1 },
+  });
   expect(near).toBe(3);
   expect(far).toBeGreaterThan(near);
 });
 
 test.each(['triangle', 'adjacency'] as const)('%s never fades, nor do its outlines', (technique) => {
-  const material = new HatchingMaterial({ technique, extent });
-  material.depthFade = 1;
+  const material = new HatchingMaterial({ technique, composition: within(extent) });
+  material.composition.depthFade = 1;
   const uniforms = createFadingUniforms();
   writeFading(material, uniforms, renderer, camera);
   expect((uniforms.depthFading.value as Vector3).z).toBe(0);
 });
 
 test('a copy fades as its original, and JSON keeps what is not at its default', () => {
-  const material = new HatchingMaterial({ technique: 'engraving', depthFade: 0.4, extent });
-  expect(material.clone()).toMatchObject({ depthFade: 0.4, extent });
-  expect(material.toJSON()).toMatchObject({ depthFade: 0.4 });
-  material.depthFade = 'auto';
-  expect(material.toJSON()).not.toHaveProperty('depthFade');
-  expect(() => Object.assign(material, { depthFade: 'deep' })).toThrow(RangeError);
+  const material = new HatchingMaterial({ technique: 'engraving', composition: within(extent, { depthFade: 0.4 }) });
+  expect(material.clone().composition).toBe(material.composition);
+  expect(material.composition.clone()).toMatchObject({ depthFade: 0.4, extent });
+  expect(material.toJSON()).toMatchObject({ composition: { depthFade: 0.4 } });
+  material.composition.depthFade = 'auto';
+  expect(material.toJSON()).not.toHaveProperty('composition');
+  expect(() => Object.assign(material.composition, { depthFade: 'deep' })).toThrow(RangeError);
 });
 
 test('the focus is handed over as the camera sees it, and none without a point', () => {
@@ -74,25 +87,28 @@ test('the focus is handed over as the camera sees it, and none without a point',
   const eye = new PerspectiveCamera();
   eye.position.set(0, 0, 5);
   eye.updateMatrixWorld();
-  const material = new HatchingMaterial({ technique: 'engraving', focus: [1, 2, 3], focusRadius: 0.5 });
+  const material = new HatchingMaterial({
+    technique: 'engraving',
+    composition: { focus: [1, 2, 3], focusRadius: 0.5 },
+  });
   writeFading(material, uniforms, renderer, eye);
   expect(uniforms.focusing.value.toArray()).toEqual([1, 2, -2, 0.5]);
-  material.focus = null;
+  material.composition.focus = null;
   writeFading(material, uniforms, renderer, eye);
   expect(uniforms.focusing.value.w).toBe(0);
 });
 
 test.each([[1, 2], [1, Number.NaN, 3], 'centre', { x: 1, y: 2, z: 3 }])('%j is no point', (focus) => {
-  expect(() => new HatchingMaterial({ focus: focus as never })).toThrow(
-    /HatchingMaterial.focus: expected null, a THREE.Vector3/,
+  expect(() => new HatchingMaterial({ composition: { focus: focus as never } })).toThrow(
+    /HatchingComposition.focus: expected null, a THREE.Vector3/,
   );
-  expect(() => Object.assign(new HatchingMaterial(), { focus })).toThrow(TypeError);
+  expect(() => Object.assign(new HatchingComposition(), { focus })).toThrow(TypeError);
 });
 
-test('a copy has a point of its own', () => {
-  const material = new HatchingMaterial({ focus: new Vector3(1, 2, 3) });
-  const copy = material.clone();
-  material.focus!.x = 7;
+test('a copy of a composition has a point of its own', () => {
+  const material = new HatchingMaterial({ composition: { focus: new Vector3(1, 2, 3) } });
+  const copy = material.composition.clone();
+  material.composition.focus!.x = 7;
   expect(copy.focus!.toArray()).toEqual([1, 2, 3]);
 });
 

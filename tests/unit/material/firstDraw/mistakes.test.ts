@@ -270,7 +270,7 @@ describe('the light', () => {
     ['missing', [], /gets no light/],
     ['ambient alone', [new AmbientLight(0xffffff, 0.1)], /same tone on all sides/],
   ])('that is %s is told of, to an exposure of auto, if it shows no form', async (_, lights, sentence) => {
-    const mesh = ball(anchored({ exposure: 'auto' }));
+    const mesh = ball(anchored({ composition: { exposure: 'auto' } }));
     expect(await draw(mesh, { lights })).toEqual(sentence ? about(sentence) : []);
   });
 
@@ -279,7 +279,7 @@ describe('the light', () => {
       [0, 0],
       [1, 0.9],
     ] as const;
-    const mesh = ball(anchored({ exposure: 'auto', toneCurve: curve }));
+    const mesh = ball(anchored({ composition: { exposure: 'auto' }, toneCurve: curve }));
     expect(await draw(mesh, { lights: [sun(0.01)] })).toEqual(about(/too little light/));
   });
 

@@ -18,7 +18,9 @@ const numbersOf = (svg: string, axis: number): number[] =>
 
 describe('clipping planes', () => {
   test('of a material: a box has neither lines nor outlines beyond them', async () => {
-    const mesh = await hatchedMesh(new BoxGeometry(1.2, 1.2, 1.2), { material: { exposure: 1, direction: 'slant' } });
+    const mesh = await hatchedMesh(new BoxGeometry(1.2, 1.2, 1.2), {
+      material: { composition: { exposure: 1 }, direction: 'slant' },
+    });
     mesh.rotation.set(0.4, 0.5, 0);
     const whole = await draw(mesh, { kind: 'pen' });
     expect(Math.min(...numbersOf(whole.svg, 0))).toBeLessThan(15);
@@ -65,7 +67,7 @@ describe('clipping planes', () => {
   test('what is clipped hides nothing, and casts its shadow unless shadows are clipped too', {
     tags: ['all'],
   }, async () => {
-    const wall = await planeOfTone(0, { toneCurve: 'linear', exposure: 1 });
+    const wall = await planeOfTone(0, { toneCurve: 'linear', composition: { exposure: 1 } });
     const ball = await hatchedMesh(new SphereGeometry(0.5, 24, 16), { outlines: false, material: { ink: 'red' } });
     ball.position.z = 0.7;
     ball.material.clippingPlanes = [new Plane(new Vector3(0, 0, -1), -5)];
@@ -85,7 +87,7 @@ describe('clipping planes', () => {
   }, async () => {
     const mesh = await hatchedMesh(new SphereGeometry(0.9, 32, 24), {
       outlines: false,
-      material: { exposure: 1, side: 2 },
+      material: { composition: { exposure: 1 }, side: 2 },
     });
     mesh.material.clippingPlanes = [new Plane(new Vector3(0, 0, -1), 0.2)];
     const { svg } = await draw(mesh);
@@ -97,7 +99,7 @@ describe('flat faces', () => {
   const facetted = (look: object) =>
     hatchedMesh(new SphereGeometry(0.9, 8, 6), {
       outlines: false,
-      material: { exposure: 1, direction: 'z', irregularity: 0, crossFrom: 1, ...look },
+      material: { composition: { exposure: 1 }, direction: 'z', irregularity: 0, crossFrom: 1, ...look },
     });
 
   test('have one tone each, by either property', async () => {
@@ -113,7 +115,7 @@ describe('flat faces', () => {
     // A body with face normals as attributes gives the same, except for the positions of lines.
     const hard = await hatchedMesh(new SphereGeometry(0.9, 8, 6).toNonIndexed(), {
       outlines: false,
-      material: { exposure: 1, direction: 'z', irregularity: 0, crossFrom: 1 },
+      material: { composition: { exposure: 1 }, direction: 'z', irregularity: 0, crossFrom: 1 },
     });
     hard.geometry.computeVertexNormals();
     const box = [18, 18, 24, 24] as const;

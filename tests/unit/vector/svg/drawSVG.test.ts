@@ -171,7 +171,7 @@ describe('a torus', () => {
 
 test('hard shadows darken what they fall on, and what receives none stays as it is', async () => {
   const ball = await hatchedMesh(new SphereGeometry(0.3, 48, 32), { outlines: false });
-  const wall = await planeOfTone(0, { toneCurve: 'linear', exposure: 1 });
+  const wall = await planeOfTone(0, { toneCurve: 'linear', composition: { exposure: 1 } });
   ball.position.set(0.3, 0.1, 0.6);
   const scene = sceneOf(wall, ball);
   const sun = scene.children[0];

@@ -33,23 +33,23 @@ describe('surfaces', () => {
 
   test('tone falls off around a focus, and towards the rim of the sheet', { tags: ['all'] }, async () => {
     const focus = new Vector3(0, 0, 0);
-    expect(Math.abs((await toneIn(MIDDLE, { focus, focusRadius: 0.4 })) - TONE)).toBeLessThan(0.015);
-    expect(await toneIn([0, 0, 15, 15], { focus, focusRadius: 0.4 })).toBeLessThan(1e-9);
-    expect(Math.abs((await toneIn(MIDDLE, { vignette: 1 })) - TONE)).toBeLessThan(0.015);
-    expect(await toneIn([0, 0, 8, 8], { vignette: 1 })).toBeLessThan(1e-9);
+    expect(Math.abs((await toneIn(MIDDLE, { composition: { focus, focusRadius: 0.4 } })) - TONE)).toBeLessThan(0.015);
+    expect(await toneIn([0, 0, 15, 15], { composition: { focus, focusRadius: 0.4 } })).toBeLessThan(1e-9);
+    expect(Math.abs((await toneIn(MIDDLE, { composition: { vignette: 1 } })) - TONE)).toBeLessThan(0.015);
+    expect(await toneIn([0, 0, 8, 8], { composition: { vignette: 1 } })).toBeLessThan(1e-9);
   });
 
   test('fade by their depth in the visible scene', { tags: ['all'] }, async () => {
     // A box around the plane, which lies in its middle: half of the depth, with a factor of e^(−3/2).
     const extent = (mesh: Mesh) => new SceneExtent(mesh, new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)));
-    const faded = await toneIn(MIDDLE, { depthFade: 0.8 }, (mesh) => {
-      (mesh.material as HatchingMaterial).extent = extent(mesh);
+    const faded = await toneIn(MIDDLE, { composition: { depthFade: 0.8 } }, (mesh) => {
+      (mesh.material as HatchingMaterial).composition.extent = extent(mesh);
     });
     const air = (1 - Math.exp(-1.5)) / (1 - Math.exp(-3));
     expect(Math.abs(faded - TONE * (1 - 0.8 * air))).toBeLessThan(0.015);
     // As deep as it is wide, a scene does not fade by default.
-    const automatic = await toneIn(MIDDLE, { depthFade: 'auto' }, (mesh) => {
-      (mesh.material as HatchingMaterial).extent = extent(mesh);
+    const automatic = await toneIn(MIDDLE, { composition: { depthFade: 'auto' } }, (mesh) => {
+      (mesh.material as HatchingMaterial).composition.extent = extent(mesh);
     });
     expect(Math.abs(automatic - TONE)).toBeLessThan(0.015);
   });
@@ -60,7 +60,7 @@ test('outlines are thinner with their depth, and heavier in front than without a
     [2, 4, 10].map(async (depth, i) => {
       const sheet = await hatchedMesh(new PlaneGeometry(0.5, 4), {
         material: {
-          depthFade: 0.5,
+          composition: { depthFade: 0.5 },
           toneCurve: [
             [0, 0],
             [1, 0],
@@ -76,7 +76,7 @@ test('outlines are thinner with their depth, and heavier in front than without a
   const root = new Group();
   scene.add(root);
   const extent = new SceneExtent(root, new Box3(new Vector3(-1, -1, -10), new Vector3(1, 1, -2)));
-  for (const { material } of sheets) (material as HatchingMaterial).extent = extent;
+  for (const { material } of sheets) (material as HatchingMaterial).composition.extent = extent;
   const { svg } = await drawSVG(scene, new OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 50), { sheet: [90, 90] });
   const air = (1 - Math.exp(-3 / 4)) / (1 - Math.exp(-3));
   const expected = [0, air, 1].map((share) => 4 * (1 - 0.5 * share) * (1 + 0.2 * (1 - share)) * (25.4 / 96));

@@ -26,7 +26,7 @@ const PLACES = [
   new Matrix4().makeScale(-0.7, -0.7, 0.7).setPosition(0.4, 0.35, -0.3),
 ];
 const torus = () => new TorusGeometry(0.3, 0.13, 16, 32);
-const material = { exposure: 1 };
+const material = { composition: { exposure: 1 } };
 
 /** The same body as single meshes, one for each matrix. */
 async function clones(source: () => BufferGeometry, places: readonly Matrix4[], outlines: boolean): Promise<Mesh[]> {

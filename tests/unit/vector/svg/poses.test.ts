@@ -90,7 +90,7 @@ function expectAlike(one: number, other: number, share: number): void {
 }
 
 describe('skins', () => {
-  const still: HatchingMaterialParameters = { direction: 'x', exposure: 1, colorHatching: 0 };
+  const still: HatchingMaterialParameters = { direction: 'x', composition: { exposure: 1 }, colorHatching: 0 };
 
   test('a skin whose bones all turn is the mesh turned, lines and outlines', async () => {
     const { mesh, lower } = await skinned(column(), { material: still });
@@ -185,7 +185,7 @@ describe('morph targets', () => {
     const ball = () => new SphereGeometry(0.5, 48, 32);
     const material: HatchingMaterialParameters = {
       direction: 'z',
-      exposure: 1,
+      composition: { exposure: 1 },
       irregularity: 0,
       strokeAnchor: 'deformed',
     };
@@ -204,7 +204,7 @@ describe('morph targets', () => {
   test('a target that moves all of a body moves its lines with it, through a skin as well', {
     tags: ['all'],
   }, async () => {
-    const material: HatchingMaterialParameters = { direction: 'y', exposure: 1 };
+    const material: HatchingMaterialParameters = { direction: 'y', composition: { exposure: 1 } };
     const box = () => new BoxGeometry(0.8, 0.8, 0.8, 6, 6, 6);
     const source = bind(morphing(box(), box().translate(0.3, 0, 0)), 5, 6);
     const { mesh, lower } = await skinned(source, { material });

@@ -1,9 +1,10 @@
 import { DirectionalLight, DoubleSide, Mesh, MeshBasicMaterial, PlaneGeometry, Scene, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
+import type { HatchingShadowMaterialParameters } from '../../../../src/material/groups/shadows.js';
+import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import { type DrawSVGOptions, drawSVG } from '../../../../src/vector/svg/index.js';
 import { cases } from '../../../selection.mjs';
-import { cameraAt, hatchedMesh } from '../hatchedScene.js';
+import { cameraAt, type HatchedLook, hatchedMesh, shadowMesh } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
 /** The camera looks down on a ground at z = 0; its picture of 2.1 units fills a sheet of 105 mm. */
@@ -11,8 +12,7 @@ const SIZE = 105;
 const SHEET = { sheet: [SIZE, SIZE], margin: 0 } as const;
 const camera = () => cameraAt(0, 0, 1, true);
 
-const GROUND: HatchingMaterialParameters = {
-  toneModel: 'shadow',
+const GROUND: HatchingShadowMaterialParameters = {
   toneCurve: 'linear',
   irregularity: 0,
   shadowFade: 0,
@@ -20,16 +20,13 @@ const GROUND: HatchingMaterialParameters = {
   shadowTone: 0.5,
   screenSpaceShare: 1,
   lineSpacing: 4,
-  transparent: true,
+  paperOpacity: 1,
   depthWrite: false,
 };
 
 /** A ground that shows shadows alone, lit by a sun that casts them. */
-async function groundScene(material: HatchingMaterialParameters, caster: Mesh, radius = 1) {
-  const ground = await hatchedMesh(new PlaneGeometry(2.4, 2.4, 5, 5), {
-    outlines: false,
-    material: { ...GROUND, ...material },
-  });
+async function groundScene(material: HatchingShadowMaterialParameters, caster: Mesh, radius = 1) {
+  const ground = await shadowMesh(new PlaneGeometry(2.4, 2.4, 5, 5), { ...GROUND, ...material });
   ground.receiveShadow = caster.castShadow = true;
   const sun = new DirectionalLight('white', Math.PI);
   sun.position.set(0.9, 0.1, 2.2);
@@ -179,13 +176,17 @@ describe('the shadow on a ground', () => {
 });
 
 test('lines turn only in the shadow of the only light', async () => {
-  const { scene, ground, sun } = await groundScene({ direction: 'light', shadowStrokes: 'reorient' }, plate(0.2));
-  ground.material.toneModel = 'lambert';
-  ground.material.reflectedLight = 0;
-  ground.material.toneCurve = [
-    [0, 0.4],
-    [1, 0.4],
-  ];
+  const { scene, ground, sun } = await groundScene({}, plate(0.2));
+  Object.assign(ground, {
+    material: new HatchingMaterial({
+      ...{ technique: 'engraving', direction: 'light', shadowStrokes: 'reorient', reflectedLight: 0, irregularity: 0 },
+      ...{ screenSpaceShare: 1, lineSpacing: 4, transparent: true, depthWrite: false },
+      toneCurve: [
+        [0, 0.4],
+        [1, 0.4],
+      ],
+    }),
+  });
   sun.position.set(0.9, 0.9, 2.2);
   const { svg, leftOut } = await drawSVG(scene, camera(), { ...SHEET, kind: 'pen', penWidth: 0.6, shadows: 'hard' });
   expect(leftOut.filter(({ object }) => object === ground)).toEqual([]);
@@ -249,7 +250,7 @@ describe('lines of a shadow', () => {
     return (Math.atan2(dy, dx) + Math.PI) % Math.PI;
   }
 
-  const LOOKS: [string, HatchingMaterialParameters][] = [
+  const LOOKS: [string, NonNullable<HatchedLook['material']>][] = [
     ['at 60°, where the first has none', { direction: 'z' }],
     ['at 90°, where the first has none', { direction: 'z', crossAngle: Math.PI / 2 }],
   ];
@@ -267,7 +268,7 @@ describe('lines of a shadow', () => {
       } as const;
       const wall = await hatchedMesh(new PlaneGeometry(2.4, 2.4, 2, 2), {
         outlines: false,
-        material: { ...material, toneCurve: 'linear', exposure: 0.6, lineSpacing: 4, ...look },
+        material: { ...material, toneCurve: 'linear', composition: { exposure: 0.6 }, lineSpacing: 4, ...look },
       });
       const sun = new DirectionalLight('white', Math.PI);
       sun.position.set(0.9, 0.1, 2.2);

@@ -163,7 +163,7 @@ describe('dots follow textures and colours', () => {
   };
   const local: HatchingMaterialParameters = {
     colorHatching: 0.5,
-    exposure: 1,
+    composition: { exposure: 1 },
     toneCurve: [
       [0, 0.1],
       [1, 0.5],
@@ -179,7 +179,7 @@ describe('dots follow textures and colours', () => {
 
   test('emissive maps, ambient light and normal maps', { tags: ['all'] }, async () => {
     const linear: HatchingMaterialParameters = {
-      exposure: 1,
+      composition: { exposure: 1 },
       toneCurve: 'linear',
       colorHatching: 0,
       highlightThreshold: 0,

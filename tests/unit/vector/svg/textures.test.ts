@@ -53,7 +53,7 @@ const BLACK_AND_WHITE = () =>
 const painted = (material: HatchingMaterialParameters) =>
   planeOfTone(0.2, {
     colorHatching: 0.6,
-    exposure: 1,
+    composition: { exposure: 1 },
     toneCurve: [
       [0, 0.2],
       [1, 0.9],
@@ -164,7 +164,7 @@ describe('other textures and colours', () => {
   test('an emissive map lightens', async () => {
     const [left, right] = await halves(
       await planeOfTone(0, {
-        exposure: 1,
+        composition: { exposure: 1 },
         toneCurve: 'linear',
         emissive: 'white',
         emissiveIntensity: 0.4,
@@ -175,7 +175,7 @@ describe('other textures and colours', () => {
   });
 
   test('light maps and occlusion maps change ambient light', { tags: ['all'] }, async () => {
-    const look: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear' };
+    const look: HatchingMaterialParameters = { composition: { exposure: 1 }, toneCurve: 'linear' };
     const map = BLACK_AND_WHITE();
     const lit = await planeOfTone(0, { ...look, lightMap: map, lightMapIntensity: 0.3 * Math.PI });
     const [left, right] = await halves(lit);
@@ -218,7 +218,11 @@ describe('a map of normals', () => {
     texture.needsUpdate = true;
     return texture;
   };
-  const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightThreshold: 0 };
+  const plain: HatchingMaterialParameters = {
+    composition: { exposure: 1 },
+    toneCurve: 'linear',
+    highlightThreshold: 0,
+  };
 
   const leanings = [
     [-0.3, 0.5],
@@ -256,7 +260,11 @@ describe('a map of normals', () => {
 
 describe('bump maps and object-space normal maps', () => {
   const SMALL = 40;
-  const plain: HatchingMaterialParameters = { exposure: 1, toneCurve: 'linear', highlightThreshold: 0 };
+  const plain: HatchingMaterialParameters = {
+    composition: { exposure: 1 },
+    toneCurve: 'linear',
+    highlightThreshold: 0,
+  };
   const toLight = new Vector3(-0.55, 0.75, 0.6).normalize();
   const toneOf = async (material: HatchingMaterialParameters, turn = 0) => {
     const mesh = await planeOfTone(0, { ...plain, ...material });
@@ -316,13 +324,16 @@ describe('cut-out surfaces', () => {
   });
 
   test('hide nothing there, whatever their material, and cast no shadow', { tags: ['all'] }, async () => {
-    const ball = await hatchedMesh(new SphereGeometry(0.9, 32, 24), { outlines: false, material: { exposure: 1 } });
+    const ball = await hatchedMesh(new SphereGeometry(0.9, 32, 24), {
+      outlines: false,
+      material: { composition: { exposure: 1 } },
+    });
     const wall = new Mesh(new PlaneGeometry(3, 3), new MeshBasicMaterial({ map: HOLE(), alphaTest: 0.5 }));
     wall.position.z = 1;
     const { svg } = await draw(ball, wall);
     expect(coverageOf(pathsOf(svg), LEFT)).toBeGreaterThan(0.05);
     expect(coverageOf(pathsOf(svg), RIGHT)).toBe(0);
-    const ground = await planeOfTone(0, { toneCurve: 'linear', exposure: 1 });
+    const ground = await planeOfTone(0, { toneCurve: 'linear', composition: { exposure: 1 } });
     ground.receiveShadow = true;
     const leaf = new Mesh(
       new BoxGeometry(0.6, 0.6, 0.001),

@@ -46,7 +46,7 @@ describe('triangle adjacency', () => {
     model.apply(look);
     expect([model.lacksAdjacency, ...techniques()]).toEqual([false, 'adjacency', 'adjacency']);
     expect(layoutsOf(model.root)).toEqual(['corner', 'corner']);
-    expect((meshesOf(model.root)[0].material as HatchingMaterial).crisp).toBe(true);
+    expect((meshesOf(model.root)[0].material as HatchingMaterial).perTriangle.sharpInk).toBe(true);
     model.dispose();
   });
 

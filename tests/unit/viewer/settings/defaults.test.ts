@@ -2,8 +2,10 @@ import { Color } from 'three';
 import { describe, expect, test } from 'vitest';
 import { HATCHING_DEFAULTS, type HatchingPropertyName } from '../../../../src/look/hatchingProperties.js';
 import { plainValue } from '../../../../src/look/presetParameters.js';
+import { givenValue } from '../../../../src/look/queries.js';
 import { HATCHING_BACKGROUND_DEFAULTS } from '../../../../src/material/backgroundProperties.js';
-import { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
+import { HatchingShadowMaterial } from '../../../../src/material/HatchingShadowMaterial.js';
 import { HATCHING_OUTLINE_DEFAULTS } from '../../../../src/material/outlines/outlineProperties.js';
 import { HAND_NUMBER_RANGES, type Hand, handLines } from '../../../../src/strokes/hand/Hand.js';
 import { resolveMapDrawing } from '../../../../src/strokes/tamImages/hatchImageOptions.js';
@@ -28,11 +30,13 @@ const differing = (page: Readonly<Record<string, unknown>>, library: Readonly<Re
 
 /** Properties of a material of the page, and of one of the library. */
 function materials(): [Record<string, unknown>, Record<string, unknown>] {
-  const made = new HatchingMaterial();
-  parameterSetter({ ...look.drawn, ...look.sizes, ...look.groundShadow, toneModel: 'lambert' })(made);
-  const library = new HatchingMaterial();
+  const made = new HatchingShadowMaterial();
+  parameterSetter({ ...look.drawn, ...look.sizes })(made);
+  Object.assign(made, look.groundShadow);
+  const library = new HatchingShadowMaterial();
   const names = Object.keys(HATCHING_DEFAULTS) as HatchingPropertyName[];
-  const of = (material: HatchingMaterial) => Object.fromEntries(names.map((name) => [name, material[name]]));
+  const of = (material: HatchingMaterial) =>
+    Object.fromEntries(names.map((name) => [name, givenValue(material, name)]));
   return [of(made), of(library)];
 }
 
