@@ -77,7 +77,7 @@ test('a preset by its name draws the same as its parameters, and one map of a st
       strokeLength: 72,
       lineSpacing: 4.4,
     } as const;
-    const values = { exposure: 'auto', colorHatching: 0.8, colorFill: 0, hollowStrength: 1 } as const;
+    const values = { composition: { exposure: 'fit' }, colorHatching: 0.8, colorFill: 0, hollowStrength: 1 } as const;
     const pen = await draw(new UsersMaterial({ preset: 'pen' }));
     const { textures } = renderer.info.memory;
     const black = await draw(

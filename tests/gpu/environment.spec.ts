@@ -56,7 +56,7 @@ test(
           const lambert = show(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading })));
           for (const technique of techniques) {
             // No blending with neighbours of another tone.
-            const blendAngle = technique === 'adjacency' ? { blendAngle: 0 } : {};
+            const blendAngle = technique === 'adjacency' ? { perTriangle: { blendAngle: 0 } } : {};
             const tone = show(await hatchedMesh(geometry, { technique, toneNormal, debugView: 'tone', ...blendAngle }));
             compared[`${light}, ${technique}, ${toneNormal}`] = [tone, lambert];
           }

@@ -226,7 +226,7 @@ test('a surface is blank paper until its map is drawn, and hatched in the next f
       { technique: 'hatching' },
       { technique: 'dryMedia' },
       { technique: 'adjacency' },
-      { technique: 'triangle', crisp: true },
+      { technique: 'triangle', perTriangle: { sharpInk: true } },
     ] as const) {
       const renderer = makeRenderer();
       const mesh = await hatchedMesh(new THREE.SphereGeometry(1, 32, 24), look);

@@ -338,7 +338,7 @@ for (const one of cases) {
 }
 
 // Fine enough that the coarsest level of the map serves everywhere.
-const fine = { crisp: true, tilesPerObjectUnit: 3 };
+const fine = { sharpInk: true, tilesPerObjectUnit: 3 };
 
 const crispCases: Case[] = (['triangle', 'adjacency'] as const).flatMap((technique) => [
   { name: `one layer, ${technique}`, mesh: torus, material: { ...fine, technique } },

@@ -15,7 +15,10 @@ test('a crease angle of 0 blends nothing, coplanar triangles neither', async ({ 
       mesh.rotation.set(0.5, 0.6, 0);
       return pixelsOf(sceneOf(mesh, sun()));
     };
-    return [await draw({ technique: 'triangle' }), await draw({ technique: 'adjacency', blendAngle: 0 })];
+    return [
+      await draw({ technique: 'triangle' }),
+      await draw({ technique: 'adjacency', perTriangle: { blendAngle: 0 } }),
+    ];
   });
   expect(covered(alone)).toBeGreaterThan(2000);
   expect(differing(alone, uncreased, 2)).toBe(0);

@@ -28,6 +28,7 @@ import {
   prepareHatchingGeometry,
   TonalArtMap,
 } from 'three-hatching';
+import { parametersOf } from 'three-hatching/facts';
 import { drawsLines, needsAdjacency } from '../../src/look/queries.js';
 import { pairThresholdLevels, ThresholdTexture } from '../../src/material/tam/thresholds.js';
 import { plainLook } from '../../tools/plainLook.js';
@@ -186,7 +187,7 @@ export async function specScene(
   const { ink, paper, color, strokeOffset, strokeAngle, ...material } = spec.material;
   const hatching = make(
     plainLook({
-      ...material,
+      ...parametersOf(material),
       ...(!drawsLines(technique) && { tonalArtMap: takesThresholds ? thresholdMap : analyticMap(spec.map) }),
       ...lines,
       ...(spec.strokes && { direction: spec.strokes.direction }),
