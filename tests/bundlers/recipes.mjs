@@ -11,6 +11,9 @@
  * @property {string[]} [serve] `PORT` stands for the port
  * @property {string} [path] of the page
  * @property {object} [manifest] what else package.json says
+ * @property {string[]} [loading] builds the three lines of the README, without three.js, into the folder `loading`
+ * @property {{ atOnce: number, later: number, requests: number, waves: number }} [most] the most that these load: bytes after gzip at
+ *   once and from then on, requests and waves of them
  */
 
 const html = (script) => `<!doctype html>
@@ -18,6 +21,16 @@ const html = (script) => `<!doctype html>
   <head><meta charset="utf-8" /><title>bundled</title><link rel="icon" href="data:," /></head>
   <body><script type="module" src="${script}"></script></body>
 </html>
+`;
+
+const webpackLoading = `export default {
+  mode: 'production',
+  entry: './threeLines.js',
+  experiments: { outputModule: true },
+  externals: { three: 'module three' },
+  externalsType: 'module',
+  output: { path: import.meta.dirname + '/loading', filename: 'threeLines.js', module: true, chunkFormat: 'module' },
+};
 `;
 
 const importMap = `<!doctype html>
@@ -94,7 +107,9 @@ export const recipes = [
   {
     name: 'webpack',
     packages: { webpack: '5', 'webpack-cli': '*' },
-    files: { 'out/index.html': html('./main.js') },
+    files: { 'out/index.html': html('./main.js'), 'loading.mjs': webpackLoading },
+    loading: ['npx', 'webpack', '--config', 'loading.mjs'],
+    most: { atOnce: 29_000, later: 106_000, requests: 5, waves: 1 },
     commands: [['npx', 'webpack', '--mode', 'production', '--entry', './plain.js', '--output-path', 'out']],
     folder: 'out',
   },
@@ -102,13 +117,25 @@ export const recipes = [
     name: 'esbuild',
     packages: { esbuild: '*' },
     files: { 'out/index.html': html('./plain.js') },
+    loading: [
+      ...['npx', 'esbuild', 'threeLines.js', '--bundle', '--minify', '--splitting', '--format=esm'],
+      ...['--external:three', '--outdir=loading'],
+    ],
+    // It loads at once what other exports of the package share with what comes later.
+    most: { atOnce: 93_000, later: 57_000, requests: 4, waves: 1 },
     commands: [['npx', 'esbuild', 'plain.js', '--bundle', '--minify', '--splitting', '--format=esm', '--outdir=out']],
     folder: 'out',
   },
   {
     name: 'Rollup',
-    packages: { rollup: '*', '@rollup/plugin-node-resolve': '*' },
+    packages: { rollup: '*', '@rollup/plugin-node-resolve': '*', '@rollup/plugin-terser': '*' },
     files: { 'out/index.html': html('./plain.js') },
+    loading: [
+      ...['npx', 'rollup', 'threeLines.js', '--dir', 'loading', '--format', 'es', '--external', 'three'],
+      ...['--plugin', 'node-resolve', '--plugin', 'terser'],
+    ],
+    // Its pages fetch what a script imports when that has come.
+    most: { atOnce: 29_000, later: 106_000, requests: 5, waves: 2 },
     commands: [['npx', 'rollup', 'plain.js', '--dir', 'out', '--format', 'es', '--plugin', 'node-resolve']],
     folder: 'out',
   },

@@ -1,6 +1,6 @@
 /**
  * `npm run test:bundlers`: builds a small page of the packed library with every bundler and looks whether all of them draw the very
- * same picture. The bundlers are installed into a temporary folder, in the versions that are newest; no part of `npm test`.
+ * same picture, and what the three lines of the README load. The bundlers are installed into a temporary folder, in the versions that are newest; no part of `npm test`.
  * `npm run test:bundlers -- parcel next` tries some.
  */
 import { execFileSync, spawn } from 'node:child_process';
@@ -11,6 +11,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from '@playwright/test';
 import { preview } from 'vite';
 import { launchOptions } from '../../tools/browser/launchOptions.mjs';
+import { measureLoading } from '../../tools/browser/measureLoading.mjs';
 import { recipes } from './recipes.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -63,7 +64,7 @@ console.log(`${chosen.length - failed.length} passed, ${failed.length} failed`);
 process.exitCode = failed.length > 0 || chosen.length === 0 ? 1 : 0;
 
 /** Installs, builds, serves and opens the page of a recipe. The red of every pixel that it draws. */
-async function picturedBy({ name, packages, files, commands, folder, serve, manifest }) {
+async function picturedBy({ name, packages, files, commands, folder, serve, manifest, loading, most }) {
   const project = join(work, name.replaceAll(/\W+/g, '-').toLowerCase());
   mkdirSync(project, { recursive: true });
   const dependencies = { 'three-hatching': `file:${join(work, filename)}`, three, ...packages };
@@ -78,11 +79,31 @@ async function picturedBy({ name, packages, files, commands, folder, serve, mani
   }
   run(project, ['npm', 'install', '--no-audit', '--no-fund', '--loglevel=error']);
   for (const command of commands) run(project, command);
+  if (loading) await checkLoading(project, loading, most);
   const server = serve ? await served(project, serve) : await previewed(project, folder);
   try {
     return await opened(server.url, packages.next !== undefined);
   } finally {
     await server.close();
+  }
+}
+
+/** Builds the three lines of the README, and checks what they load. */
+async function checkLoading(project, command, most) {
+  for (const file of ['threeLines.js', 'threeLines.html']) cpSync(join(pages, file), join(project, file));
+  run(project, command);
+  const folder = join(project, 'loading');
+  cpSync(join(pages, 'threeLines.html'), join(folder, 'threeLines.html'));
+  const page = await browser.newPage();
+  try {
+    const three = join(project, 'node_modules/three');
+    const { atOnce, later, laterBytes, waves } = await measureLoading(page, { folder, file: 'threeLines.html', three });
+    const loads = { atOnce, later: laterBytes, requests: later.length, waves };
+    console.log(`  loads ${JSON.stringify(loads)}`);
+    for (const [name, limit] of Object.entries(most))
+      if (loads[name] > limit) throw new Error(`The three lines load more than ${name} ${limit}.`);
+  } finally {
+    await page.close();
   }
 }
 
