@@ -86,7 +86,7 @@ test('the exposure stays as it is while the camera moves, and is what it was whe
 function sceneOfAll({ THREE }: { THREE: typeof three }): three.Scene {
   const material = (reflectedLight: number) =>
     Object.assign(new THREE.MeshStandardMaterial(), {
-      ...{ isHatchingMaterial: true, exposure: 'auto', toneModel: 'lambert', toneCurve: 'printed' },
+      ...{ isHatchingMaterial: true, composition: { exposure: 'auto' }, toneModel: 'lambert', toneCurve: 'printed' },
       ...{ reflectedLight, occlusion: 0 },
     });
   const scene = new THREE.Scene();

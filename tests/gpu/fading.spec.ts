@@ -21,7 +21,7 @@ test('outlines of a surface are thinner with its depth, and heavier in front tha
     scene.background = new THREE.Color('white');
     const renderer = makeRenderer();
     const inks = [0, 0.5, 1].map((depthFade) => {
-      for (const one of hatched.materials) Object.assign(one, { depthFade });
+      hatched.composition.depthFade = depthFade;
       const pixels = pixelsOf(scene, renderer, camera);
       // Two borders a sheet, from the bottom to the top of the picture.
       return sheets.map((_, i) => {
