@@ -34,11 +34,11 @@ function drawFrames(material: HatchingMaterial, scene: Scene, camera: Perspectiv
 }
 
 const LOOKS = {
-  pen: { preset: 'pen', exposure: 1 },
+  pen: { preset: 'pen', composition: { exposure: 1 } },
   'pen in the light of its scene': { preset: 'pen' },
-  engraving: { preset: 'engraving', exposure: 1 },
-  pencil: { preset: 'pencil', exposure: 1, tonalArtMap: null },
-  chalk: { preset: 'chalk', exposure: 1, tonalArtMap: null },
+  engraving: { preset: 'engraving', composition: { exposure: 1 } },
+  pencil: { preset: 'pencil', composition: { exposure: 1 }, tonalArtMap: null },
+  chalk: { preset: 'chalk', composition: { exposure: 1 }, tonalArtMap: null },
 } as const;
 
 test.each(Object.entries(LOOKS))('frames leave no garbage: %s', async (_, look) => {

@@ -3,7 +3,12 @@ import type { HatchingMaterialParameters } from 'three-hatching';
 import { knot, shadowed } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
-const LINES = { technique: 'engraving', direction: 'light', shadowStrokes: 'tone', exposure: 1 } as const;
+const LINES = {
+  technique: 'engraving',
+  direction: 'light',
+  shadowStrokes: 'tone',
+  composition: { exposure: 1 },
+} as const;
 
 const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
   knot(await kit.hatching({ ...LINES, ...parameters }));

@@ -3,7 +3,7 @@ import type { HatchingMaterialParameters } from 'three-hatching';
 import { type KnotStage, knot, shadowed } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
-const LINES = { technique: 'engraving', direction: 'slant', exposure: 1 } as const;
+const LINES = { technique: 'engraving', direction: 'slant', composition: { exposure: 1 } } as const;
 
 const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}): Promise<KnotStage> =>
   knot(await kit.hatching({ ...LINES, ...parameters }));

@@ -3,7 +3,12 @@ import { type HatchingMaterialParameters, prepareHatchingGeometry } from 'three-
 import { knot } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
-const STROKES = { technique: 'hatching', strokeLayers: 'single', screenSpaceShare: 0, exposure: 1 } as const;
+const STROKES = {
+  technique: 'hatching',
+  strokeLayers: 'single',
+  screenSpaceShare: 0,
+  composition: { exposure: 1 },
+} as const;
 
 const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
   knot(await kit.hatching({ ...STROKES, ...parameters }));

@@ -15,7 +15,12 @@ import { bentTube, egg } from '../deforming.js';
 import { type KnotStage, knot } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
-const LINES = { technique: 'engraving', direction: 'light', shadowStrokes: 'tone', exposure: 1 } as const;
+const LINES = {
+  technique: 'engraving',
+  direction: 'light',
+  shadowStrokes: 'tone',
+  composition: { exposure: 1 },
+} as const;
 
 const lines = (kit: Kit, parameters: HatchingMaterialParameters = {}): Promise<Material> =>
   kit.hatching({ ...LINES, ...parameters });

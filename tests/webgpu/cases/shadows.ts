@@ -4,8 +4,8 @@ import { type Casting, lamp, onGround, spot } from '../ground.js';
 import type { KnotStage } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
-const LINES = { technique: 'engraving', exposure: 1, lineSpacing: 6 } as const;
-const STROKES = { technique: 'hatching', exposure: 1, edgePixels: 0 } as const;
+const LINES = { technique: 'engraving', composition: { exposure: 1 }, lineSpacing: 6 } as const;
+const STROKES = { technique: 'hatching', composition: { exposure: 1 }, edgePixels: 0 } as const;
 
 /** A knot on a ground, under the sun and another light, which casts a shadow of its own. */
 async function underTwo(kit: Kit, parameters: HatchingMaterialParameters, light: Casting): Promise<KnotStage> {

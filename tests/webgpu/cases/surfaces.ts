@@ -18,7 +18,12 @@ import type { HatchingMaterialParameters } from 'three-hatching';
 import { knot } from '../knot.js';
 import type { Kit, SceneCase } from '../SceneCase.js';
 
-const LINES = { technique: 'engraving', direction: 'slant', shadowStrokes: 'tone', exposure: 1 } as const;
+const LINES = {
+  technique: 'engraving',
+  direction: 'slant',
+  shadowStrokes: 'tone',
+  composition: { exposure: 1 },
+} as const;
 
 const drawn = async (kit: Kit, parameters: HatchingMaterialParameters = {}) =>
   knot(await kit.hatching({ ...LINES, ...parameters }));

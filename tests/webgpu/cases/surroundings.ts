@@ -12,7 +12,12 @@ import { bentTube } from '../deforming.js';
 import { type KnotStage, knot } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
-const LINES = { technique: 'engraving', direction: 'slant', shadowStrokes: 'tone', exposure: 1 } as const;
+const LINES = {
+  technique: 'engraving',
+  direction: 'slant',
+  shadowStrokes: 'tone',
+  composition: { exposure: 1 },
+} as const;
 
 type Look = Pick<HatchingOutlineParameters, 'hidden'>;
 type Outlined = KnotStage & { outlines: HatchingOutlines | NodeOutlines };

@@ -9,10 +9,16 @@ const FAR = new Vector3(2 ** 24, 2 ** 23, -(2 ** 22));
 
 /** A clipped ball in front of a box on a ground, lit by a lamp, with one part in focus, at a place. */
 async function drawnAt(place: Vector3) {
-  const look = { technique: 'engraving', exposure: 1, vignette: 0.4, focusRadius: 0.8, lineSpacing: 9 } as const;
+  const look = {
+    technique: 'engraving',
+    composition: { exposure: 1, vignette: 0.4, focusRadius: 0.8 },
+    lineSpacing: 9,
+  } as const;
   const at = (x: number, y: number, z: number): Vector3 => new Vector3(x, y, z).add(place);
   const [ball, box, ground] = await Promise.all([
-    hatchedMesh(new SphereGeometry(0.35, 16, 10), { material: { ...look, composition: { focus: at(0.3, 0, 0.5) } } }),
+    hatchedMesh(new SphereGeometry(0.35, 16, 10), {
+      material: { ...look, composition: { ...look.composition, focus: at(0.3, 0, 0.5) } },
+    }),
     hatchedMesh(new BoxGeometry(0.8, 0.6, 0.4), { material: look, outlines: { hidden: 'faint' } }),
     hatchedMesh(new PlaneGeometry(1.8, 1.8, 2, 2), { material: look, outlines: false }),
   ]);
