@@ -14,18 +14,14 @@ import {
  */
 export class FollowedMaterial extends HatchingMaterial {
   /** The properties at the last draw that decide which map and which code are needed. */
-  private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique' | 'version'>> = {};
+  private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique'>> = {};
 
   // The hook of HatchingMaterial runs before this one, as before any hook that a user sets.
   override onBeforeRender(): void {
     const { followed } = this;
-    const isSame =
-      followed.tonalArtMap === this.tonalArtMap &&
-      followed.technique === this.technique &&
-      followed.version === this.version;
-    if (isSame) return;
-    const { tonalArtMap, technique, version } = this;
-    this.followed = { tonalArtMap, technique, version };
+    const { tonalArtMap, technique } = this;
+    if (followed.tonalArtMap === tonalArtMap && followed.technique === technique) return;
+    this.followed = { tonalArtMap, technique };
     // Failures to draw the map or to fetch the code are reported by the library.
     this.ready.then(() => invalidate()).catch(() => {});
   }

@@ -92,7 +92,10 @@ function editableNames(): string[] {
       'composition',
       // The technique decides the defaults of others, which must be set after it.
       'technique',
-      ...Object.keys(HATCHING_PROPERTIES),
+      ...Object.entries<HatchingProperty>(HATCHING_PROPERTIES).flatMap(([name, { owner }]) => {
+        if (owner === 'perTriangle') return `${owner}.${name}`;
+        return owner ? [] : name;
+      }),
     ]),
   ];
 }

@@ -226,6 +226,7 @@ describe('setPreset', () => {
     const material = materialOf(mesh);
     material.ink.set('#123456');
     material.opacity = 0.5;
+    material.perTriangle.blendAngle = 1;
     outlineMaterial(mesh).outlineWidth = 9;
     outlineMaterial(mesh).weights.borders = 0.1;
     source.color.set('red');
@@ -237,6 +238,7 @@ describe('setPreset', () => {
     await hatched.setPreset('engraving', { onProgress });
     expect(material).toMatchObject({ opacity: 0.5, lineSpacing: 17, visible: true, side: 2 });
     expect([hex(material.ink), hex(material.color)]).toEqual(['123456', 'ff0000']);
+    expect(material.perTriangle).toMatchObject({ blendAngle: 1, levelRule: 'derivatives' });
     const { weights, outlineWidth } = outlineMaterial(mesh);
     expect(outlineWidth).toBe(9);
     expect({ ...weights }, 'weights are kept one by one').toEqual({
