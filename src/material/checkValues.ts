@@ -41,7 +41,12 @@ export function checkValues(parameters: HatchingMaterialParameters): void {
     // three.js itself warns of undefined values, and keeps the present ones.
     if (value === undefined) continue;
     if (name === 'composition' || name === 'perTriangle') checkOwned(name, value);
-    else if (Object.hasOwn(HATCHING_PROPERTIES, name)) checkValue(name as HatchingPropertyName, value);
+    else if (Object.hasOwn(HATCHING_PROPERTIES, name)) {
+      const { owner }: HatchingProperty = HATCHING_PROPERTIES[name as HatchingPropertyName];
+      if (owner === 'composition' || owner === 'perTriangle')
+        throw new TypeError(`HatchingMaterial: "${name}" belongs to ${owner}. Pass { ${owner}: { ${name} } }.`);
+      checkValue(name as HatchingPropertyName, value);
+    }
   }
 }
 

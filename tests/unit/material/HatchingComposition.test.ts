@@ -71,6 +71,16 @@ describe.each([
   });
 });
 
+test.each([
+  [{ vignette: 0.4 }, 'HatchingMaterial: "vignette" belongs to composition. Pass { composition: { vignette } }.'],
+  [
+    { levelRule: 'depth' },
+    'HatchingMaterial: "levelRule" belongs to perTriangle. Pass { perTriangle: { levelRule } }.',
+  ],
+])('%o is refused beside what owns it', (parameters, message) => {
+  expect(() => new HatchingMaterial(parameters as object)).toThrow(message);
+});
+
 describe('a composition', () => {
   test('warns of a name that it does not know', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});

@@ -2,6 +2,7 @@ import type { BufferAttribute, BufferGeometry } from 'three';
 import { applyHatching, bakeOcclusion, HatchingMaterial, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
 import { afterAll, describe, expect, test } from 'vitest';
 import { HATCHING_PROPERTIES } from '../../../../src/look/hatchingProperties.js';
+import { parametersOf } from '../../../../src/look/queries.js';
 import type { Random } from '../../../../src/viewer/settings/Random.js';
 import { mutateBytes, mutateText } from '../../../../tools/fuzz/mutate.js';
 import { checkRefusal, oddGeometry, oddOptions, oddScene, outcome } from './oddThings.js';
@@ -125,9 +126,10 @@ async function mapFilesCase(random: Random): Promise<'good' | 'refused'> {
 
 async function materialCase(random: Random): Promise<'good' | 'refused'> {
   const names = Object.keys(HATCHING_PROPERTIES).filter(() => random.chance(0.1));
-  const options = oddOptions(random, names, {});
+  const flat = oddOptions(random, names, {});
+  const options = random.chance(0.9) ? parametersOf(flat as Record<string, unknown>) : flat;
   const { result } = await consoleDuring(() =>
-    outcome(/^HatchingMaterial/, () => {
+    outcome(/^Hatching(Material|Composition|ShadowMaterial)/, () => {
       const material = new HatchingMaterial(options as never);
       material.clone().dispose();
       JSON.stringify(material.toJSON());
