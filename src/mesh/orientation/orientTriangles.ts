@@ -6,7 +6,7 @@ import { consistentPatches, NO_PATCH, type Patches } from './consistentPatches.j
 import { type SideVotes, sideVotes } from './sideVotes.js';
 
 /** How much less a patch must be seen from its front than from its back for it to be turned. Others count as seen from both sides. */
-const LEAST_SHARE = 0.6;
+const LEAST_SHARE = 0.56;
 /** The fewest pixels, over all directions, that tell the side of a patch. */
 const LEAST_VOTES = 4;
 /** Rays that decide whether a point is inside a closed patch: the majority of them counts. Oblique, so that they rarely meet edges. */

@@ -91,6 +91,8 @@ describe('followed in a copy', { tags: ['all'] }, () => {
     const { HatchingMaterial } = await load('src/material/HatchingMaterial.ts');
     const material = new HatchingMaterial({ inkStrength: 0.5 });
     expect(material.uniforms.inkStrength.value).toBe(0.5);
+    await HatchingMaterial.preload();
+    material.customProgramCacheKey();
     expect(material.fragmentShader).toContain('inkStrength * hatched');
     expect(readFileSync(join(copy, 'docs/material.md'), 'utf8')).toContain('| `inkStrength` | `1` |');
   });

@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { HATCHING_TECHNIQUES, type HatchingTechnique } from '../../../../src/look/hatchingProperties.js';
 import { deformationShaders } from '../../../../src/material/deformation/PrePass.js';
 import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
+import { HatchingShadowMaterial } from '../../../../src/material/HatchingShadowMaterial.js';
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
 import { hatchingShaders, type Shaders } from '../../../../src/material/shaders/hatchingShaders.js';
@@ -61,11 +62,14 @@ describe('the shaders', () => {
 
   test('no file lies there for nothing', async () => {
     const ofLooks = names.map(shadersOf);
+    const ground = new HatchingShadowMaterial({ technique: 'pen' });
+    await ground.ready;
     const all = [
       plainShaders(),
       deformationShaders(),
       outlineShaders(),
       backgroundShaders(),
+      ground,
       ...(await Promise.all(ofLooks)),
     ]
       .flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader])

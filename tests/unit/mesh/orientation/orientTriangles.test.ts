@@ -134,6 +134,13 @@ test('a sheet, and a sheet of two layers that face each other, are left as they 
   expect(run(orientTriangles(doubled)).some(Boolean)).toBe(false);
 });
 
+test('a trench, whose inside is seen from fewer directions than its back, is left as it is', () => {
+  const trench = new PlaneGeometry(2, 2, 20, 20);
+  const { position } = trench.attributes;
+  for (let i = 0; i < position.count; i++) position.setZ(i, 3 * Math.abs(position.getX(i)));
+  expect(run(orientTriangles(meshOf(trench))).some(Boolean)).toBe(false);
+});
+
 test('a Möbius strip and triangles without area are no trouble', () => {
   const at = (i: number): number[] => {
     const angle = (2 * Math.PI * i) / 12;
