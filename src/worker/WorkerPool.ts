@@ -17,17 +17,18 @@ export type PoolsOf = Map<object, Map<CreateWorker, WorkerPool<Tasks>>>;
  */
 export class WorkerPool<All extends Tasks> {
   private readonly clients: TaskClient<All>[] = [];
-  private readonly warnings = new Set<string>();
 
   /**
    * @param set the tasks that its workers can run
    * @param createWorker creates a worker, or returns null if there is none; may throw.
    * @param onIdle called after the last idle worker was terminated.
+   * @param warnings the sentences that were said already.
    */
   constructor(
     private readonly set: TaskSet<All>,
     private readonly createWorker: CreateWorker,
     private readonly onIdle: () => void = () => {},
+    private readonly warnings = new Set<string>(),
   ) {}
 
   /** See `TaskClient.run`. */
@@ -66,7 +67,7 @@ export class WorkerPool<All extends Tasks> {
     return client;
   }
 
-  /** Warns only once, since several workers may fail to start, or die, for the same reason. */
+  /** Warns only once, since several workers, of other pools too, may fail to start, or die, for the same reason. */
   private readonly warnOnce = (sentence: string): void => {
     if (!this.warnings.has(sentence)) console.warn(sentence);
     this.warnings.add(sentence);
@@ -78,17 +79,18 @@ export class WorkerPool<All extends Tasks> {
   }
 }
 
-/** The pool for these tasks and this function, created if needed. */
+/** The pool for these tasks and this function, created if needed. @param warnings the sentences that were said already */
 export function poolIn<All extends Tasks>(
   poolsOf: PoolsOf,
   set: TaskSet<All>,
   createWorker: CreateWorker,
+  warnings?: Set<string>,
 ): WorkerPool<All> {
   const pools = poolsOf.get(set) ?? new Map<CreateWorker, WorkerPool<Tasks>>();
   poolsOf.set(set, pools);
   let pool = pools.get(createWorker) as WorkerPool<All> | undefined;
   if (!pool) {
-    pool = new WorkerPool(set, createWorker, () => pools.delete(createWorker));
+    pool = new WorkerPool(set, createWorker, () => pools.delete(createWorker), warnings);
     pools.set(createWorker, pool as unknown as WorkerPool<Tasks>);
   }
   return pool;

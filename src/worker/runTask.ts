@@ -38,6 +38,9 @@ const createNoWorker: CreateWorker = () => null;
 /** The pools with a worker, by set of tasks and by `createWorker` function. */
 const poolsOf: PoolsOf = /* @__PURE__ */ new Map();
 
+/** What was said of the inlined workers: a page that refuses one refuses all. */
+const warnings = /* @__PURE__ */ new Set<string>();
+
 /** The number of calls of `disposeHatchingWorkers`. */
 let disposals = 0;
 
@@ -81,7 +84,7 @@ async function poolFor<All extends Tasks>(
   // The worker is loaded with the first task.
   const createWorker = await (options.createWorker ?? fetchInlineWorker(set, task));
   if (disposals !== disposalsBefore) throw disposedError();
-  return poolIn(poolsOf, set, createWorker);
+  return poolIn(poolsOf, set, createWorker, options.createWorker ? undefined : warnings);
 }
 
 async function fetchInlineWorker<All extends Tasks>(set: TaskSet<All>, task: NameIn<All>): Promise<CreateWorker> {
