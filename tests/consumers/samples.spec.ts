@@ -38,6 +38,7 @@ for (const guide of GUIDES) {
         html: kind === 'html' ? code : undefined,
         hasCanvas: /<Canvas|<hatched-model/.test(code),
         isLit: /new \w*Light\(/.test(code),
+        lamp: lampOf(code),
       };
       const failure = await page
         .evaluate(([which, how]) => window.runSample(which, how), [name, facts] as const)
@@ -57,6 +58,12 @@ for (const guide of GUIDES) {
 async function open(page: Page): Promise<void> {
   await page.goto(`${server.url}/samples.html`);
   await page.waitForFunction(() => 'runSample' in window);
+}
+
+/** The lamp that a sample changes: one that it hatches itself, or a hatched one. */
+function lampOf(code: string): 'none' | 'plain' | 'hatched' {
+  if (/applyHatching\(lamp\b/.test(code)) return 'plain';
+  return /\b(lamp|hatched|shade|cord)\b/.test(code) && !code.includes('const hatched =') ? 'hatched' : 'none';
 }
 
 function guideOf(sample: string): string {

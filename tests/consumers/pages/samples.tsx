@@ -7,6 +7,7 @@ import {
   Group,
   Mesh,
   MeshLambertMaterial,
+  MeshStandardMaterial,
   type Object3D,
   PerspectiveCamera,
   PlaneGeometry,
@@ -15,7 +16,14 @@ import {
   TorusKnotGeometry,
   WebGLRenderer,
 } from 'three';
-import { type HandStroke, HatchingMaterial, learnHand, prepareHatchingGeometry, TonalArtMap } from 'three-hatching';
+import {
+  applyHatching,
+  type HandStroke,
+  HatchingMaterial,
+  learnHand,
+  prepareHatchingGeometry,
+  TonalArtMap,
+} from 'three-hatching';
 import 'three-hatching/element';
 
 declare global {
@@ -57,12 +65,27 @@ function pictureOfStrokes(): HTMLCanvasElement {
   return canvas;
 }
 
+/** A lamp for samples that change it. @param isHatched whether it is hatched already */
+async function makeLamp(isHatched: boolean) {
+  const part = (y: number): Mesh => {
+    const mesh = new Mesh(new SphereGeometry(0.4, 32, 16), new MeshStandardMaterial());
+    mesh.position.y = y;
+    return mesh;
+  };
+  const [shade, cord] = [part(0.5), part(-0.5)];
+  const lamp = new Group().add(shade, cord);
+  const ball = () => new SphereGeometry(0.5, 32, 16);
+  const hatched = isHatched ? { hatched: await applyHatching(lamp, 'pen') } : {};
+  return { lamp, shade, cord, ...hatched, kind: 'globe', shades: { globe: ball } };
+}
+
 /**
  * Names that samples use without defining them: a scene with a mesh, and others, created at first use.
  *
  * @param isLit whether the sample makes a light of its own
+ * @param lamp for samples that change a hatched scene
  */
-function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
+function surround(isLit: boolean, lamp: object): { scene: Scene; camera: PerspectiveCamera } {
   const scene = new Scene();
   const camera = new PerspectiveCamera(30, SIZE.width / SIZE.height, 0.1, 50);
   camera.position.set(0, 0.4, 5);
@@ -101,7 +124,11 @@ function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
     scan: () => placed(new Group().add(new Mesh(new SphereGeometry(0.8, 400, 300), new MeshLambertMaterial()))),
     second: () => placed(ball(1)),
     gradientMap: () => new DataTexture(new Uint8Array([64, 128, 255, 255]), 1, 1),
+    ...{ canvas: () => renderer.domElement, signal: () => new AbortController().signal },
+    ...{ draw: () => () => renderer.render(scene, camera), save: () => () => {} },
+    ...Object.fromEntries(Object.entries(lamp).map(([name, value]) => [name, () => value])),
   };
+  if ('lamp' in lamp) scene.add(lamp.lamp as Group);
   for (const [name, make] of Object.entries(made)) {
     let value: unknown;
     Object.defineProperty(globalThis, name, {
@@ -109,6 +136,9 @@ function surround(isLit: boolean): { scene: Scene; camera: PerspectiveCamera } {
       get: () => {
         value ??= make();
         return value;
+      },
+      set: (next: unknown) => {
+        value = next;
       },
     });
   }
@@ -121,6 +151,7 @@ interface SampleFacts {
   html?: string;
   hasCanvas: boolean;
   isLit: boolean;
+  lamp: 'none' | 'plain' | 'hatched';
 }
 
 /**
@@ -129,12 +160,13 @@ interface SampleFacts {
  * @param options.html the elements of a sample that is no module
  * @param options.hasCanvas whether its component draws into a canvas of its own
  * @param options.isLit whether it makes a light of its own
+ * @param options.lamp the lamp that it changes
  */
-async function runSample(name: string, { html, hasCanvas, isLit }: SampleFacts): Promise<void> {
+async function runSample(name: string, { html, hasCanvas, isLit, lamp }: SampleFacts): Promise<void> {
   root?.unmount();
   root = undefined;
   document.body.replaceChildren();
-  const { scene, camera } = surround(isLit);
+  const { scene, camera } = surround(isLit, lamp === 'none' ? {} : await makeLamp(lamp === 'hatched'));
   if (html !== undefined) document.body.innerHTML = html;
   else {
     const sample = await (modules[`./samples/${name}.ts`] ?? modules[`./samples/${name}.tsx`])();
