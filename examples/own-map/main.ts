@@ -53,6 +53,8 @@ const scene = new Scene().add(mesh, light);
 const camera = new PerspectiveCamera(30, 4 / 3, 0.1, 20);
 camera.position.set(0, 0, 4.6);
 const draw = () => renderer.render(scene, camera);
+// The code of a technique is fetched with its first material.
+mesh.material.ready.then(draw);
 new OrbitControls(camera, canvas).addEventListener('change', draw);
 new ResizeObserver(() => {
   renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
