@@ -422,7 +422,7 @@ test('the keys are shown by ?, H, F1 and a button, but not by a letter in a fiel
   await page.getByRole('button', { name: 'More' }).click();
   const width = page.getByRole('spinbutton', { name: 'Stroke scale' });
   for (const key of ['h', '?']) await width.press(key);
-  await page.getByLabel('Technique').press('h');
+  await page.getByLabel('Technique').press('?');
   // It would have opened by then.
   await page.locator('#drawing').press('ArrowLeft');
   await idle(page);
