@@ -20,7 +20,7 @@ const AsyncFunction = Object.getPrototypeOf(async () => {}).constructor as new (
 async function drawThreeLines(code: string, width: number, height: number): Promise<string> {
   const scene = new Scene().add(new Mesh(new TorusKnotGeometry(0.7, 0.24, 200, 32), new MeshBasicMaterial()));
   const camera = new PerspectiveCamera(26, width / height);
-  camera.position.z = 5.4;
+  camera.position.z = 6.2;
   const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setSize(width, height);
   document.body.append(renderer.domElement);
