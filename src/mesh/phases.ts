@@ -15,6 +15,14 @@ export function* asPhase<Result>(
   }
 }
 
+/** Runs a task to its end at once. */
+export function runToEnd<Result>(task: Generator<number, Result, void>): Result {
+  for (;;) {
+    const step = task.next();
+    if (step.done) return step.value;
+  }
+}
+
 /**
  * Items (vertices, triangles, half-edges) per chunk. A chunk takes one to three milliseconds: short enough for a slice on
  * the main thread, long enough that the yields cost nothing.

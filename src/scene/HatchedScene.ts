@@ -1,16 +1,12 @@
 import { type BufferGeometry, Color, type Material, type Mesh, type Object3D } from 'three';
 import { HATCHING_DEFAULTS } from '../look/hatchingProperties.js';
-import { namesOfOwner } from '../material/checkProperty.js';
 import type { SceneExtent } from '../material/fading/SceneExtent.js';
-import { FIELD_FRAME } from '../material/fieldFrameName.js';
 import { identityOf } from '../material/geometry/identityOf.js';
 import { HatchingComposition } from '../material/groups/HatchingComposition.js';
-import type { HatchingCompositionOptions } from '../material/groups/ownedProperties.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
-import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
-import { lookOptions, resolveOptions } from './applyOptions.js';
+import { lookOptions } from './applyOptions.js';
 import { beginCall, type CallUnderWay } from './beginCall.js';
 import type { ChosenMeshes, MeshHolder } from './chooseMeshes.js';
 import { growExtent } from './dressLooks.js';
@@ -19,10 +15,12 @@ import type { MeshLook } from './geometryPlans.js';
 import type { BakedGeometry, LookMakers, MadeLooks, SceneStyle } from './HatchingCall.js';
 import type { LaterForms } from './LaterForms.js';
 import type { HideDetail } from './levelMaker.js';
+import { exchangeLook, isAsHatched, isOccluded, isSame, lookOf, replaced } from './meshLooks.js';
 import { type PreparedCall, prepareLooks } from './prepareLooks.js';
 import type { PresetName } from './presets.js';
 import type { SkippedMesh } from './SkippedMesh.js';
 import { type InPlaceOf, StyleChange } from './StyleChange.js';
+import { COMPOSITION_NAMES, numbersOf, plainOf, styleOf } from './sceneStyles.js';
 import { claimMeshes, isHatching, materialsOf } from './surfaceMeshes.js';
 
 /** How a change of a hatched scene is watched and aborted. */
@@ -363,6 +361,7 @@ export class HatchedScene {
     this.leftOut = [...choice.skipped, ...(made?.failed ?? [])];
     if (change) this.free(former);
     this.sweep();
+    this.paper.set(this.presentPaper);
     batch.forms?.start(looks, inPlaceOf as ReadonlyMap<Material, HatchingMaterial>);
     for (const { mesh } of looks) {
       for (const material of materialsOf(mesh)) if (isHatching(material)) material.announce?.(mesh);
@@ -522,74 +521,7 @@ export class HatchedScene {
   }
 }
 
-const COMPOSITION_NAMES = /* @__PURE__ */ namesOfOwner('composition');
-
-type CompositionNumbers = Partial<HatchingCompositionOptions>;
-
-/** The numbers of a composition that is given as a plain object; none of an instance. */
-const plainOf = (composition: HatchingComposition | CompositionNumbers = {}): CompositionNumbers =>
-  'isHatchingComposition' in composition ? {} : composition;
-
-/** The numbers that a look gives the composition of its scene. */
-const numbersOf = ({ options: { material } }: SceneStyle): CompositionNumbers =>
-  typeof material === 'object' ? plainOf(material.composition) : {};
-
-/** Separates the options that a scene keeps from those of one call. @param present the composition, unless the options have another */
-function styleOf(given: ApplyHatchingOptions, present: HatchingComposition): SceneStyle {
-  const { signal, onProgress, ...options } = resolveOptions(given);
-  const { material } = options;
-  const named = typeof material === 'object' ? material.composition : undefined;
-  const composition = named && 'isHatchingComposition' in named ? (named as HatchingComposition) : present;
-  return {
-    options,
-    composition,
-    replacements: new Map(),
-    maps: new Map(),
-    outlineMaker: null,
-    measures: null,
-    disposables: [],
-  };
-}
-
-const lookOf = (mesh: Mesh): MeshLook => ({
-  mesh,
-  geometry: mesh.geometry,
-  material: mesh.material,
-  fieldFrame: mesh.userData[FIELD_FRAME],
-});
-
-/** Replaces the geometry and material of `from` by those of `to`. Others that were set in the meantime stay. */
-function exchangeLook(from: MeshLook, to: MeshLook): void {
-  const { mesh } = from;
-  if (isSame(mesh.geometry, from.geometry) || isOccluded(mesh.geometry, from.geometry)) mesh.geometry = to.geometry;
-  if (isSame(mesh.material, from.material)) mesh.material = to.material;
-  if (to.fieldFrame === undefined) delete mesh.userData[FIELD_FRAME];
-  else mesh.userData[FIELD_FRAME] = to.fieldFrame;
-}
-
-/** Whether two objects are the same, or proxies of the same object. */
-const isSame = (a: object | null, b: object | null): boolean =>
-  a === b || (!!a && !!b && identityOf(a) === identityOf(b));
-
-/** Whether a geometry is a clone of a baked one, with occlusion of its own. */
-const isOccluded = (geometry: BufferGeometry | null, baked: BufferGeometry): boolean =>
-  hatchNormal.name in (geometry?.attributes ?? {}) &&
-  hatchNormal.name in baked.attributes &&
-  geometry!.attributes.position === baked.attributes.position;
-
-/** Whether a mesh still has its hatched look, or had its former one set back, or another one that is hatched, too. */
-function isAsHatched({ mesh, before, after }: Part): boolean {
-  const { geometry } = mesh;
-  const isKnown = isSame(geometry, after.geometry) || isSame(geometry, before.geometry);
-  if (!isKnown && !(geometry && hatchNormal.name in geometry.attributes)) return false;
-  if (isSame(mesh.material, after.material) || isSame(mesh.material, before.material)) return true;
-  return materialsOf(mesh).every(isHatching);
-}
-
 function isBelow(object: Object3D, root: Object3D): boolean {
   for (let above: Object3D | null = object; above !== null; above = above.parent) if (isSame(above, root)) return true;
   return false;
 }
-
-const replaced = (material: Material | Material[], inPlaceOf: InPlaceOf): Material | Material[] =>
-  Array.isArray(material) ? material.map((one) => inPlaceOf.get(one) ?? one) : (inPlaceOf.get(material) ?? material);

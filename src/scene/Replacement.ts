@@ -102,18 +102,13 @@ function editableNames(): string[] {
 
 let names: string[] | undefined;
 
-type Values = Record<string, unknown>;
-type Copied = Color | Vector2;
-
 /**
  * A hatching material in place of a material of the scene, its source. Changes of the source count in the next frame. A property that
  * was passed to the hatching material, or set on it since, stays.
  */
 export class Replacement {
-  /** For each followed property, the last value in the source. */
-  private readonly seen: Values = {};
-  private readonly seenCopies: Partial<Record<(typeof COPIED)[number], Copied>> = {};
   private readonly followed: readonly (typeof NAMES)[number][];
+  private readonly followedCopies: readonly (typeof COPIED)[number][];
   private readonly given: GivenValues;
   private readonly last: SeenValues;
   private isFollowing = false;
@@ -131,12 +126,9 @@ export class Replacement {
     passed: readonly string[],
     readonly scale: number | null,
   ) {
-    const values = source as unknown as Values;
-    this.followed = NAMES.filter((name) => values[name] !== undefined && !passed.includes(name));
-    for (const name of this.followed) this.seen[name] = values[name];
-    for (const name of COPIED) {
-      if (values[name] && !passed.includes(name)) this.seenCopies[name] = (values[name] as Copied).clone();
-    }
+    const surface: SurfaceMaterial = source;
+    this.followed = NAMES.filter((name) => surface[name] !== undefined && !passed.includes(name));
+    this.followedCopies = COPIED.filter((name) => surface[name] && !passed.includes(name));
     this.last = new SeenValues(source);
     names ??= editableNames();
     this.given = new GivenValues(material, names);
@@ -156,21 +148,14 @@ export class Replacement {
   follow(): void {
     if (this.isFollowing || !this.last.differFrom(this.source)) return;
     this.isFollowing = true;
-    const { seen } = this;
-    const source = this.source as SurfaceMaterial;
-    this.last.note(source);
-    for (const name of this.followed) {
-      if (source[name] === seen[name]) continue;
-      seen[name] = source[name];
-      this.give(name, acceptable(name, source));
+    const { last } = this;
+    const source: SurfaceMaterial = this.source;
+    for (const name of this.followed) if (source[name] !== last[name]) this.give(name, acceptable(name, source));
+    for (const name of this.followedCopies) {
+      const value = source[name];
+      if (value && !last[name].equals(value as Color & Vector2)) this.give(name, value);
     }
-    for (const name of COPIED) {
-      const copy = this.seenCopies[name] as Color | undefined;
-      const value = source[name] as Color | undefined;
-      if (!copy || !value || copy.equals(value)) continue;
-      copy.copy(value);
-      this.give(name, value);
-    }
+    last.note(source);
     this.isFollowing = false;
   }
 

@@ -1,3 +1,4 @@
+import { Color, Vector2 } from 'three';
 import type { SurfaceMaterial } from './SurfaceMaterial.js';
 
 /**
@@ -5,51 +6,46 @@ import type { SurfaceMaterial } from './SurfaceMaterial.js';
  * a line of its own: engines compile that to code that takes a fraction of a microsecond, and a loop over names to ten times as much.
  */
 export class SeenValues {
-  private visible: unknown;
-  private opacity: unknown;
-  private transparent: unknown;
-  private side: unknown;
-  private alphaTest: unknown;
-  private alphaHash: unknown;
-  private blending: unknown;
-  private colorWrite: unknown;
-  private depthTest: unknown;
-  private depthFunc: unknown;
-  private depthWrite: unknown;
-  private polygonOffset: unknown;
-  private polygonOffsetFactor: unknown;
-  private polygonOffsetUnits: unknown;
-  private clippingPlanes: unknown;
-  private clipIntersection: unknown;
-  private alphaToCoverage: unknown;
-  private stencilWrite: unknown;
-  private stencilFunc: unknown;
-  private stencilRef: unknown;
-  private stencilFuncMask: unknown;
-  private vertexColors: unknown;
-  private fog: unknown;
-  private wireframe: unknown;
-  private map: unknown;
-  private alphaMap: unknown;
-  private normalMap: unknown;
-  private normalMapType: unknown;
-  private bumpMap: unknown;
-  private bumpScale: unknown;
-  private flatShading: unknown;
-  private aoMap: unknown;
-  private aoMapIntensity: unknown;
-  private lightMap: unknown;
-  private lightMapIntensity: unknown;
-  private emissiveIntensity: unknown;
-  private emissiveMap: unknown;
-  private colorR = 0;
-  private colorG = 0;
-  private colorB = 0;
-  private emissiveR = 0;
-  private emissiveG = 0;
-  private emissiveB = 0;
-  private normalScaleX = 0;
-  private normalScaleY = 0;
+  visible: unknown;
+  opacity: unknown;
+  transparent: unknown;
+  side: unknown;
+  alphaTest: unknown;
+  alphaHash: unknown;
+  blending: unknown;
+  colorWrite: unknown;
+  depthTest: unknown;
+  depthFunc: unknown;
+  depthWrite: unknown;
+  polygonOffset: unknown;
+  polygonOffsetFactor: unknown;
+  polygonOffsetUnits: unknown;
+  clippingPlanes: unknown;
+  clipIntersection: unknown;
+  alphaToCoverage: unknown;
+  stencilWrite: unknown;
+  stencilFunc: unknown;
+  stencilRef: unknown;
+  stencilFuncMask: unknown;
+  vertexColors: unknown;
+  fog: unknown;
+  wireframe: unknown;
+  map: unknown;
+  alphaMap: unknown;
+  normalMap: unknown;
+  normalMapType: unknown;
+  bumpMap: unknown;
+  bumpScale: unknown;
+  flatShading: unknown;
+  aoMap: unknown;
+  aoMapIntensity: unknown;
+  lightMap: unknown;
+  lightMapIntensity: unknown;
+  emissiveIntensity: unknown;
+  emissiveMap: unknown;
+  readonly color = new Color();
+  readonly emissive = new Color();
+  readonly normalScale = new Vector2();
 
   constructor(source: SurfaceMaterial) {
     this.note(source);
@@ -94,20 +90,9 @@ export class SeenValues {
     this.emissiveIntensity = source.emissiveIntensity;
     this.emissiveMap = source.emissiveMap;
     const { color, emissive, normalScale } = source;
-    if (color) {
-      this.colorR = color.r;
-      this.colorG = color.g;
-      this.colorB = color.b;
-    }
-    if (emissive) {
-      this.emissiveR = emissive.r;
-      this.emissiveG = emissive.g;
-      this.emissiveB = emissive.b;
-    }
-    if (normalScale) {
-      this.normalScaleX = normalScale.x;
-      this.normalScaleY = normalScale.y;
-    }
+    if (color) this.color.copy(color);
+    if (emissive) this.emissive.copy(emissive);
+    if (normalScale) this.normalScale.copy(normalScale);
   }
 
   /** Whether a value has changed. Allocates nothing. */
@@ -151,10 +136,9 @@ export class SeenValues {
       this.lightMapIntensity !== source.lightMapIntensity ||
       this.emissiveIntensity !== source.emissiveIntensity ||
       this.emissiveMap !== source.emissiveMap ||
-      (color !== undefined && (this.colorR !== color.r || this.colorG !== color.g || this.colorB !== color.b)) ||
-      (emissive !== undefined &&
-        (this.emissiveR !== emissive.r || this.emissiveG !== emissive.g || this.emissiveB !== emissive.b)) ||
-      (normalScale !== undefined && (this.normalScaleX !== normalScale.x || this.normalScaleY !== normalScale.y))
+      (color !== undefined && !this.color.equals(color)) ||
+      (emissive !== undefined && !this.emissive.equals(emissive)) ||
+      (normalScale !== undefined && !this.normalScale.equals(normalScale))
     );
   }
 }

@@ -25,9 +25,7 @@ export class CallUnderWay {
     readonly choice: ChosenMeshes,
     holder: MeshHolder | undefined,
   ) {
-    const key = identityOf(root);
-    underWay.get(key)?.giveWay();
-    underWay.set(key, this);
+    underWay.set(identityOf(root), this);
     this.free = claimMeshes(choice.chosen.filter((mesh) => !holder?.holds(mesh)));
     // An abort frees the meshes at once: the caller may abort and apply again in the same tick, as React's StrictMode does.
     this.signal.addEventListener('abort', () => this.end());
@@ -85,9 +83,8 @@ export function beginCall(
     throw new TypeError(`applyHatching: expected a THREE.Object3D. ${remedy}`);
   }
   assertTree('applyHatching', root);
-  const key = identityOf(root);
   // The meshes of the earlier call are free when it has ended.
-  underWay.get(key)?.giveWay();
+  underWay.get(identityOf(root))?.giveWay();
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
   const choice = chooseMeshes(meshes, holder);
   choice.chosen.push(...detached);

@@ -34,6 +34,7 @@ export const OFFERS = {
     'occlusion/OcclusionScene.ts',
     'occlusion/startOcclusion.ts',
     'orientation/orientTriangles.ts',
+    'computeAreaNormals.ts',
   ],
   strokes: [
     'blurToroidal.ts',

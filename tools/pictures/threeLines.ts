@@ -1,7 +1,7 @@
 /** A page that has a scene with a knot, a camera, a renderer and nothing else, and runs the first lines of the README. */
 import * as three from 'three';
 import { Mesh, MeshBasicMaterial, PerspectiveCamera, Scene, TorusKnotGeometry, WebGLRenderer } from 'three';
-import * as library from 'three-hatching';
+import * as hatching from 'three-hatching';
 
 /** The number of equal frames after which nothing more is to come. */
 const EQUAL_FRAMES = 5;
@@ -24,7 +24,7 @@ async function drawThreeLines(code: string, width: number, height: number): Prom
   const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setSize(width, height);
   document.body.append(renderer.domElement);
-  const known: Record<string, unknown> = { ...three, ...library, scene, camera, renderer };
+  const known: Record<string, unknown> = { ...three, ...hatching, scene, camera, renderer };
   const names = Object.keys(known).filter((name) => new RegExp(`\\b${name}\\b`).test(code));
   await new AsyncFunction(...names, code)(...names.map((name) => known[name]));
   let picture = '';

@@ -1,3 +1,4 @@
+import { runToEnd } from '../../mesh/phases.js';
 import type { TonalArtMapSource } from '../../strokes/mapFiles/readSource.js';
 import type { StrokeStyleName } from '../../strokes/strokeStyleNames.js';
 import {
@@ -347,11 +348,8 @@ export class TonalArtMap {
   private thresholdMap(): ThresholdLevel[] {
     const content = this.contentFor('thresholds');
     if (content.thresholds) return content.thresholds;
-    const task = deriveThresholds(this.allImages());
-    let step = task.next();
-    while (!step.done) step = task.next();
-    content.thresholds = step.value;
-    return step.value;
+    content.thresholds = runToEnd(deriveThresholds(this.allImages()));
+    return content.thresholds;
   }
 
   private thresholdPairs(): ThresholdPair[] {

@@ -35,7 +35,7 @@ export function* addDirections({
   for (let step = 0; step < steps; step++) {
     const view = scene.views[step % scene.views.length];
     const axes = mapAxes(pairs[Math.floor(step / scene.views.length)]);
-    const projection = projectionOf(axes, view);
+    const projection = projectionOf(axes, view, MAP_SIZE);
     const from = step / steps;
     const to = (step + 1) / steps;
     yield* asPhase(drawDepths(maps, scene, projection), from, (from + to) / 2);
@@ -128,7 +128,6 @@ interface DepthMaps {
 }
 
 /** Creates depth maps for a scene with this number of vertices. */
-
 const createDepthMaps = (vertices: number): DepthMaps => ({
   highest: new Float32Array(MAP_SIZE * MAP_SIZE),
   lowest: new Float32Array(MAP_SIZE * MAP_SIZE),
@@ -138,14 +137,18 @@ const createDepthMaps = (vertices: number): DepthMaps => ({
 /** A matrix with three rows of four, which maps points to pixels and depth. */
 type Projection = Float64Array;
 
-/** The projection of a view along an axis, with x, y in pixels and depth in world units. */
-function projectionOf({ right, up, towards }: MapAxes, { center, radius }: OcclusionView): Projection {
-  const pixels = MAP_SIZE / (2 * radius);
+/** The projection of a view along an axis to a map of so many pixels a side, with x, y in pixels and depth in world units. */
+export function projectionOf(
+  { right, up, towards }: MapAxes,
+  { center, radius }: Pick<OcclusionView, 'center' | 'radius'>,
+  size: number,
+): Projection {
+  const pixels = size / (2 * radius);
   const rows = [right.map((x) => pixels * x), up.map((x) => pixels * x), towards];
   return Float64Array.from(
     rows.flatMap((row, i) => {
       const atCenter = row[0] * center[0] + row[1] * center[1] + row[2] * center[2];
-      return [...row, (i < 2 ? MAP_SIZE / 2 : 0) - atCenter];
+      return [...row, (i < 2 ? size / 2 : 0) - atCenter];
     }),
   );
 }
@@ -162,7 +165,14 @@ function* drawDepths(
   yield* forEachChunk(indices.length / 3, (start, end) => drawTriangles(maps, indices, start, end));
 }
 
-function project(points: Float32Array, projected: Float32Array, p: Projection, start: number, end: number): void {
+/** Projects a range of points. */
+export function project(
+  points: Float32Array,
+  projected: Float32Array,
+  p: Projection,
+  start: number,
+  end: number,
+): void {
   for (let i = 3 * start; i < 3 * end; i += 3) {
     const x = points[i];
     const y = points[i + 1];
@@ -174,7 +184,7 @@ function project(points: Float32Array, projected: Float32Array, p: Projection, s
 }
 
 /** Pixels on an edge belong to both triangles, so that rounding leaves no gap. */
-const EDGE = -1e-5;
+export const EDGE = -1e-5;
 
 function drawTriangles(
   { highest, lowest, projected }: DepthMaps,

@@ -1,4 +1,5 @@
-import { mapAxes } from '../occlusion/addDirections.js';
+import { type Bounds, measureBounds } from '../measureBounds.js';
+import { EDGE, mapAxes, project, projectionOf } from '../occlusion/addDirections.js';
 import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 import { NO_PATCH, type Patches } from './consistentPatches.js';
@@ -15,6 +16,8 @@ const NO_TRIANGLE = -1;
 export interface SideVotes {
   front: Float64Array;
   back: Float64Array;
+  /** How many pixels show a convex body that nothing hides, for each unit of twice its area (Cauchy: a silhouette is a quarter of it). */
+  pixelsPerDoubleArea: number;
 }
 
 /** The two maps of a pair of directions. */
@@ -33,29 +36,26 @@ interface NearestMaps {
 export function* sideVotes(mesh: TriangleMesh, patches: Patches): Generator<number, SideVotes, void> {
   const { positions, indices } = mesh;
   const count = patches.isClosed.length;
-  const votes = { front: new Float64Array(count), back: new Float64Array(count) };
   const pixels = SIZE * SIZE;
   const maps: NearestMaps = {
     depths: [new Float32Array(pixels), new Float32Array(pixels)],
     triangles: [new Int32Array(pixels), new Int32Array(pixels)],
     projected: new Float32Array(positions.length),
   };
-  const { center, radius } = boundingSphere(mesh);
+  const { min, max, radius } = yield* measureBounds(mesh);
+  const center: Bounds['min'] = [0.5 * (min[0] + max[0]), 0.5 * (min[1] + max[1]), 0.5 * (min[2] + max[2])];
+  const scale = SIZE / (2 * radius);
+  const votes: SideVotes = {
+    front: new Float64Array(count),
+    back: new Float64Array(count),
+    pixelsPerDoubleArea: (2 * PAIRS * scale ** 2) / 8,
+  };
   for (let pair = 0; pair < PAIRS; pair++) {
-    const { right, up, towards } = mapAxes(pair);
-    const scale = SIZE / (2 * radius);
-    const rows = [right.map((x) => scale * x), up.map((x) => scale * x), towards] as const;
-    const shift = rows.map((row, i) => (i < 2 ? SIZE / 2 : 0) - row.reduce((sum, x, k) => sum + x * center[k], 0));
+    const projection = projectionOf(mapAxes(pair), { center, radius }, SIZE);
     for (const map of maps.triangles) map.fill(NO_TRIANGLE);
     maps.depths[0].fill(-Infinity);
     maps.depths[1].fill(Infinity);
-    const { projected } = maps;
-    for (let i = 0; i < positions.length; i += 3) {
-      for (let k = 0; k < 3; k++) {
-        const row = rows[k];
-        projected[i + k] = row[0] * positions[i] + row[1] * positions[i + 1] + row[2] * positions[i + 2] + shift[k];
-      }
-    }
+    project(positions, maps.projected, projection, 0, positions.length / 3);
     yield* asPhase(
       forEachChunk(indices.length / 3, (start, end) => drawNearest(maps, indices, patches, 1e-5 * radius, start, end)),
       pair / PAIRS,
@@ -113,7 +113,7 @@ function drawNearest(
         const py = y + 0.5 - ay;
         const shareB = (px * cy - py * cx) / area;
         const shareC = (py * bx - px * by) / area;
-        if (shareB < 0 || shareC < 0 || shareB + shareC > 1) continue;
+        if (shareB < EDGE || shareC < EDGE || shareB + shareC > 1 - EDGE) continue;
         const depth = az + shareB * bz + shareC * cz;
         const pixel = y * SIZE + x;
         if (depth > highest[pixel] + (showsFront ? -tolerance : tolerance)) {
@@ -158,19 +158,4 @@ function doubleAreaOf(projected: Float32Array, indices: Uint32Array, triangle: n
   const [ux, uy, uz] = side(b);
   const [vx, vy, vz] = side(c);
   return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
-}
-
-/** The sphere about the middle of the bounding box of all vertices in use. */
-function boundingSphere({ positions, indices }: TriangleMesh): { center: number[]; radius: number } {
-  const least = [Infinity, Infinity, Infinity];
-  const most = [-Infinity, -Infinity, -Infinity];
-  for (const vertex of indices) {
-    for (let k = 0; k < 3; k++) {
-      const x = positions[3 * vertex + k];
-      if (x < least[k]) least[k] = x;
-      if (x > most[k]) most[k] = x;
-    }
-  }
-  const center = least.map((x, k) => (x + most[k]) / 2);
-  return { center, radius: Math.max(Math.hypot(...most.map((x, k) => x - center[k])), 1e-30) };
 }

@@ -60,7 +60,7 @@ export const scene: readonly Mutation[] = [
   {
     name: 'a call does not end the earlier one for its root',
     file: 'src/scene/beginCall.ts',
-    find: '  underWay.get(key)?.giveWay();\n  const meshes',
+    find: '  underWay.get(identityOf(root))?.giveWay();\n  const meshes',
     replace: '  const meshes',
     caughtBy: {
       layer: 'unit',

@@ -458,6 +458,13 @@ describe('the parts of the result', () => {
   });
 });
 
+test('the background that a scene was given once is that of the next preset', async () => {
+  const hatched = await applyHatching(crate(), 'pen');
+  const { background } = hatched;
+  await hatched.setPreset('chalk', { tonalArtMap: null });
+  expect(hex(background)).toBe(hex(new Color(presets.chalk.material.paper as string)));
+});
+
 test('restore keeps what was set on a mesh since', async () => {
   const [first, second] = [crate(), ball()];
   const looks = [first, second].map(({ geometry, material }) => ({ geometry, material }));

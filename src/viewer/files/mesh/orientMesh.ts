@@ -1,4 +1,7 @@
+import { computeAreaNormals } from '../../../mesh/computeAreaNormals.js';
 import { orientTriangles } from '../../../mesh/orientation/orientTriangles.js';
+import { runToEnd } from '../../../mesh/phases.js';
+import type { TriangleMesh } from '../../../mesh/TriangleMesh.js';
 import type { PlainMesh } from './PlainMesh.js';
 
 /**
@@ -11,7 +14,7 @@ export function orientMesh(mesh: PlainMesh): { mesh: PlainMesh; turned: number }
   const indices = mesh.indices
     ? new Uint32Array(mesh.indices)
     : Uint32Array.from({ length: mesh.positions.length / 3 }, (_, i) => i);
-  const isTurned = finished(orientTriangles({ positions: new Float32Array(mesh.positions), indices }));
+  const isTurned = runToEnd(orientTriangles({ positions: new Float32Array(mesh.positions), indices }));
   const turned = isTurned.reduce((sum, one) => sum + one, 0);
   if (turned === 0) return { mesh, turned };
   const copies = shareNoVertices(indices, isTurned, mesh.positions.length / 3);
@@ -22,7 +25,7 @@ export function orientMesh(mesh: PlainMesh): { mesh: PlainMesh; turned: number }
   }
   const positions = withCopies(mesh.positions, copies, 3);
   const normals = mesh.normals && withCopies(mesh.normals, copies, 3);
-  if (normals) turnNormals(positions, normals, indices, isTurned);
+  if (normals) turnNormals({ positions, indices }, normals, isTurned);
   return {
     mesh: {
       ...mesh,
@@ -34,13 +37,6 @@ export function orientMesh(mesh: PlainMesh): { mesh: PlainMesh; turned: number }
     },
     turned,
   };
-}
-
-function finished<Result>(task: Generator<number, Result, void>): Result {
-  for (;;) {
-    const step = task.next();
-    if (step.done) return step.value;
-  }
 }
 
 /** Gives turned triangles vertices of their own where they share some with others. @returns the vertices that get a copy, in order */
@@ -64,7 +60,7 @@ function shareNoVertices(indices: Uint32Array, isTurned: Uint8Array, vertexCount
   return copies;
 }
 
-function withCopies(values: Float32Array, copies: readonly number[], size: number): Float32Array {
+function withCopies(values: Float32Array, copies: readonly number[], size: number): Float32Array<ArrayBuffer> {
   const all = new Float32Array(values.length + size * copies.length);
   all.set(values);
   for (const [i, vertex] of copies.entries()) {
@@ -74,17 +70,13 @@ function withCopies(values: Float32Array, copies: readonly number[], size: numbe
 }
 
 /** Reverses the normals of turned triangles that point away from the side that is their front now. */
-function turnNormals(positions: Float32Array, normals: Float32Array, indices: Uint32Array, isTurned: Uint8Array): void {
-  const sides = new Float64Array(positions.length / 3);
-  for (let triangle = 0; triangle < isTurned.length; triangle++) {
+function turnNormals(mesh: TriangleMesh, normals: Float32Array, isTurned: Uint8Array): void {
+  const areaNormals = runToEnd(computeAreaNormals(mesh));
+  const sides = new Float64Array(normals.length / 3);
+  for (const [corner, vertex] of mesh.indices.entries()) {
+    const triangle = Math.floor(corner / 3);
     if (!isTurned[triangle]) continue;
-    const [a, b, c] = [0, 1, 2].map((k) => 3 * indices[3 * triangle + k]);
-    const [ux, uy, uz] = [0, 1, 2].map((k) => positions[b + k] - positions[a + k]);
-    const [vx, vy, vz] = [0, 1, 2].map((k) => positions[c + k] - positions[a + k]);
-    const face = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    for (const at of [a, b, c]) {
-      sides[at / 3] += face[0] * normals[at] + face[1] * normals[at + 1] + face[2] * normals[at + 2];
-    }
+    for (let k = 0; k < 3; k++) sides[vertex] += areaNormals[3 * triangle + k] * normals[3 * vertex + k];
   }
   for (let vertex = 0; vertex < sides.length; vertex++) {
     if (sides[vertex] < 0) for (let k = 0; k < 3; k++) normals[3 * vertex + k] *= -1;
