@@ -42,6 +42,8 @@ export interface BakedGeometry {
   geometry: BufferGeometry;
   /** The options of the bake and the versions of the source's attributes. */
   key: string;
+  /** The other geometries of its bake, with their places; undefined if it was baked alone. */
+  groupKey: string | undefined;
   positions: BufferAttribute;
 }
 

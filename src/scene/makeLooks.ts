@@ -11,7 +11,7 @@ import { isToBeMade, prepareOptions } from './applyOptions.js';
 import { bakeGeometries, progressParts, stoppedWith } from './bakeGeometries.js';
 import { failure } from './chooseMeshes.js';
 import { dressLooks } from './dressLooks.js';
-import { type GeometryPlan, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
+import { type FormGroup, type GeometryPlan, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import type { BakedGeometry, HatchingCall, MadeLooks, OldLooks } from './HatchingCall.js';
 import { formGroups } from './jointForms.js';
 import { crossingMaterials, LaterForms } from './LaterForms.js';
@@ -90,24 +90,40 @@ async function mapsFor(
   return new Map([...style.maps, ...made]);
 }
 
-/** Names the bake of a geometry: bakes of one name have the same result. */
-function bakeKey(
-  { index, attributes, morphAttributes, groups }: BufferGeometry,
-  { layout, form, group }: GeometryPlan,
-  { adjacency, creaseAngle, smoothingRadius, weldTolerance, outlines }: PrepareHatchingGeometryOptions,
-): string {
-  const versionOf = (attribute: BufferAttribute | InterleavedBufferAttribute): number =>
-    'data' in attribute ? attribute.data.version : attribute.version;
-  const versions = Object.entries(attributes).map(([name, attribute]) => [name, versionOf(attribute)]);
-  const morphs = Object.entries(morphAttributes).map(([name, all]) => [name, all.map(versionOf)]);
-  const options = { adjacency, creaseAngle, smoothingRadius, weldTolerance, outlines };
-  const touching = group?.parts.map(({ geometry, matrix }) => [
+const versionOf = (attribute: BufferAttribute | InterleavedBufferAttribute): number =>
+  'data' in attribute ? attribute.data.version : attribute.version;
+
+/** The names of groups: one text for all members, since that of a thousand parts is long. */
+const groupKeys = new WeakMap<FormGroup, string>();
+
+/** Names the parts of a group, their places and the versions of their positions. */
+function groupKeyOf(group: FormGroup): string {
+  const known = groupKeys.get(group);
+  if (known !== undefined) return known;
+  const parts = group.parts.map(({ geometry, matrix }) => [
     geometry.uuid,
     versionOf(geometry.attributes.position),
     matrix.elements,
   ]);
-  return JSON.stringify([layout, options, form, touching, index && versionOf(index), versions, morphs, groups]);
+  const key = JSON.stringify(parts);
+  groupKeys.set(group, key);
+  return key;
 }
+
+/** Names the bake of a geometry, without its group: bakes of one name and one group have the same result. */
+function bakeKey(
+  { index, attributes, morphAttributes, groups }: BufferGeometry,
+  { layout, form }: GeometryPlan,
+  { adjacency, creaseAngle, smoothingRadius, weldTolerance, outlines }: PrepareHatchingGeometryOptions,
+): string {
+  const versions = Object.entries(attributes).map(([name, attribute]) => [name, versionOf(attribute)]);
+  const morphs = Object.entries(morphAttributes).map(([name, all]) => [name, all.map(versionOf)]);
+  const options = { adjacency, creaseAngle, smoothingRadius, weldTolerance, outlines };
+  return JSON.stringify([layout, options, form, index && versionOf(index), versions, morphs, groups]);
+}
+
+/** Names the group that a geometry is baked in; undefined if it is baked alone. */
+const groupKeyIn = ({ group }: GeometryPlan): string | undefined => group && groupKeyOf(group);
 
 /** Divides geometries to bake into those whose baked geometry exists already, and the rest. */
 function reusableOf(
@@ -124,7 +140,9 @@ function reusableOf(
     const known = reusable.get(source);
     if (!known || known.positions !== source.attributes.position) continue;
     // A form that is baked later may be there already.
-    if (![plan, plans.get(source)!].some((one) => known.key === bakeKey(source, one, prepare))) continue;
+    const isThat = (one: GeometryPlan): boolean =>
+      known.groupKey === groupKeyIn(one) && known.key === bakeKey(source, one, prepare);
+    if (!isThat(plan) && !isThat(plans.get(source)!)) continue;
     reused.set(source, known.geometry);
     rest.delete(source);
   }
@@ -143,7 +161,8 @@ function bakesToKeep(
   for (const [source, geometry] of baked) {
     if (geometry instanceof Error || isFormExpected(geometry)) continue;
     const positions = source.attributes.position as BufferAttribute;
-    kept.set(source, { geometry, key: bakeKey(source, plans.get(source)!, prepare), positions });
+    const plan = plans.get(source)!;
+    kept.set(source, { geometry, key: bakeKey(source, plan, prepare), groupKey: groupKeyIn(plan), positions });
   }
   return kept;
 }
