@@ -185,6 +185,7 @@ export const OFFERS = {
     'files/bundle.ts',
     'files/common/Surroundings.ts',
     'files/common/ModelFile.ts',
+    'files/common/fileChanges.ts',
     'files/common/ModelError.ts',
     'files/common/ModelExtras.ts',
     'files/common/Slices.ts',

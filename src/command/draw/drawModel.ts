@@ -18,7 +18,7 @@ import { missingDetail, missingNote } from '../../viewer/files/pictures/meshPict
 import { type ReadMesh, type ReadModel, readModel } from '../../viewer/files/readModel.js';
 import { lightsOfFile } from '../../viewer/sceneSetup/ofFile.js';
 import { turnCamera } from '../../viewer/sceneSetup/placeCamera.js';
-import { type ModelChoice, NO_CHOICE, readLink } from '../../viewer/settings/shareLink.js';
+import { type HowRead, isReadAlike, type ModelChoice, NO_CHOICE, readLink } from '../../viewer/settings/shareLink.js';
 import type { DrawingCounts, DrawMessage, DrawTask } from '../draw.js';
 import type { DrawingOptions } from '../parseDrawing.js';
 import { plainSentence } from './failure.js';
@@ -51,12 +51,13 @@ export async function drawModel(
   const surroundings = new NodeSurroundings(dirname(path));
   const file = { name, content: await contentOf(path, content), format: options.format };
   const asked = choiceOf(options.link);
-  let read = await readFrom(file, surroundings, options.variant ?? asked.variant, say);
+  let read = await readFrom(file, surroundings, { ...asked, variant: options.variant ?? asked.variant }, say);
   // An archive saved by the playground contains the look along with the model.
   const link = options.link ?? read.drawing?.link;
   const linked = choiceOf(link);
-  if (options.variant === undefined && linked.variant !== asked.variant) {
-    read = await readFrom(file, surroundings, linked.variant, say);
+  const variant = options.variant ?? linked.variant;
+  if (!isReadAlike({ ...linked, variant }, { ...asked, variant: options.variant ?? asked.variant })) {
+    read = await readFrom(file, surroundings, { ...linked, variant }, say);
   }
   const report = (stage: string, share = 0): void => progress(stage, READ + (JOINED - READ) * share);
   const { model, notes } = await buildModel(read, report, signal);
@@ -84,12 +85,12 @@ async function contentOf(path: string, content: Uint8Array | undefined): Promise
 async function readFrom(
   file: ModelFile,
   surroundings: NodeSurroundings,
-  variant: string | number | undefined,
+  { variant, asWritten }: HowRead,
   say: (message: DrawMessage) => void,
 ): Promise<ReadModel> {
   const onStage = (stage: string, bytes?: number): void =>
     say({ kind: 'progress', stage, bytes, progress: 0.5 * READ });
-  const read = await readModel([file], onStage, surroundings, variant);
+  const read = await readModel([file], onStage, surroundings, variant, asWritten);
   if (read.kind !== 'mesh') return withPictures(read, onStage, surroundings);
   const onProgress = (share: number): void =>
     say({ kind: 'progress', stage: 'simplifying', progress: READ * (0.5 + 0.5 * share) });

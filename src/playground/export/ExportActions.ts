@@ -38,8 +38,8 @@ export class ExportActions {
 
   /** Saves the picture from more triangles than the page draws. */
   private readonly saveFiner = (): Promise<void> => {
-    const { files, variant } = this.session.modelLoader.shown;
-    return this.save(async () => (await import('./saveFiner.js')).saveFiner(files, variant), {
+    const { files, variant, asWritten } = this.session.modelLoader.shown;
+    return this.save(async () => (await import('./saveFiner.js')).saveFiner(files, { variant, asWritten }), {
       label: 'Save it again',
       run: this.saveFiner,
     });

@@ -7,11 +7,14 @@ import type { ModelFile, ReadMesh } from '../../viewer/files/readModel.js';
 import { lookOf } from '../../viewer/settings/lookOf.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency, formDrawn } from '../../viewer/settings/settingValues.js';
-import { loadModelFiles } from '../reading/loadModelFiles.js';
+import { type LoadOptions, loadModelFiles } from '../reading/loadModelFiles.js';
 import type { Viewport } from '../viewport/Viewport.js';
 
 /** The maximum number of triangles for a picture, besides those that the page already holds. */
 const MOST_TRIANGLES = 4_000_000;
+
+/** How the files of a model are read. */
+export type HowRead = Pick<LoadOptions, 'variant' | 'asWritten'>;
 
 /** A model that was read again for a picture. */
 export interface FinerModel extends Pick<ReadMesh, 'simplified'> {
@@ -23,7 +26,7 @@ export interface FinerModel extends Pick<ReadMesh, 'simplified'> {
 /**
  * Reads a simplified model again with as many triangles as memory allows, and bakes it for the settings.
  *
- * @param variant index of the material variant, if one was chosen
+ * @param choice how the files are read
  * @throws ModelError with one sentence for the user
  */
 export async function finerModel(
@@ -32,13 +35,14 @@ export async function finerModel(
   settings: Settings,
   report: Report,
   signal: AbortSignal,
-  variant?: number,
+  { variant, asWritten }: HowRead = {},
 ): Promise<FinerModel> {
   const { mesh, simplified } = (await loadModelFiles(files, {
     signal,
     onStage: report,
     most: MOST_TRIANGLES,
     variant,
+    asWritten,
   })) as ReadMesh;
   const triangles = triangleCount(mesh);
   const joining = `joining ${triangles.toLocaleString('en')} triangles`;

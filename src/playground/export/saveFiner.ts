@@ -1,20 +1,20 @@
 import type { ModelFile } from '../../viewer/files/readModel.js';
 import { formDrawn } from '../../viewer/settings/settingValues.js';
 import type { SaveDrawing } from './download.js';
-import { finerModel } from './finerModel.js';
+import { finerModel, type HowRead } from './finerModel.js';
 import { savePicture } from './savePicture.js';
 
 /**
  * Saves the picture as `savePicture` does, from more triangles than the page draws, which are freed afterwards.
  *
  * @param files of the simplified model
- * @param variant index of the material variant, if one was chosen
+ * @param choice how the files are read
  */
 export const saveFiner =
-  (files: readonly ModelFile[], variant?: number): SaveDrawing =>
+  (files: readonly ModelFile[], choice: HowRead = {}): SaveDrawing =>
   async (viewport, settings, name, report, signal) => {
     const { model } = viewport;
-    const { geometry, triangles, simplified } = await finerModel(files, viewport, settings, report, signal, variant);
+    const { geometry, triangles, simplified } = await finerModel(files, viewport, settings, report, signal, choice);
     try {
       if (viewport.model !== model) throw new Error('another model was opened meanwhile.');
       viewport.finer = geometry;

@@ -3,12 +3,13 @@ import { type BuiltInScene, buildModel } from '../../viewer/drawing/buildModel.j
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { isOpen } from '../../viewer/drawing/statistics.js';
 import type { BundledDrawing } from '../../viewer/files/bundle.js';
+import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { shownName } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../viewer/files/readModel.js';
 import type { CameraView, SavedView } from '../../viewer/settings/CameraView.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
-import { type ModelChoice, NO_CHOICE } from '../../viewer/settings/shareLink.js';
+import { isReadAlike, type ModelChoice, NO_CHOICE } from '../../viewer/settings/shareLink.js';
 import type { CodeModel } from '../code/modelSource.js';
 import { BUILT_IN_MODELS } from '../models/models.js';
 import { setPageState } from '../page/elements.js';
@@ -36,6 +37,8 @@ interface Shown extends ShownFiles {
   title: string;
   /** Index of the material variant, if one was chosen. */
   variant?: number | undefined;
+  /** Kinds of changes that were not made to its files, on request. */
+  asWritten?: readonly FileChangeKind[] | undefined;
   /** How it was simplified, if it was. */
   simplified?: ReadMesh['simplified'];
   /** The original radius of a model that is drawn as a scene; undefined for a single mesh. */
@@ -48,7 +51,7 @@ interface Shown extends ShownFiles {
 interface Wanted {
   model: Settings['model'];
   files?: readonly ModelFile[] | undefined;
-  /** The variant and clip of its file. */
+  /** What is selected of its file. */
   choice: ModelChoice;
 }
 
@@ -140,7 +143,7 @@ export class ModelLoader {
   restore(wanted: Wanted, isFramed: boolean): void {
     const { load } = this;
     const { model, files, choice } = wanted;
-    if (model === load?.model && files === load.files && choice.variant === load.choice.variant) {
+    if (model === load?.model && files === load.files && isReadAlike(choice, load.choice)) {
       load.choice = choice;
       this.poseClip(choice);
     } else if (model !== 'file' || files) void this.start({ ...wanted, isFramed });
@@ -172,6 +175,12 @@ export class ModelLoader {
   showVariant(variant: number | undefined): void {
     const { files } = this.shown;
     void this.start({ model: 'file', files, choice: { ...this.choice, variant }, isFramed: false, isChosen: true });
+  }
+
+  /** Reads the user's own model again without changes of some kinds, in the order of `FILE_CHANGE_KINDS`. */
+  leaveAsWritten(asWritten: readonly FileChangeKind[]): void {
+    const { files } = this.shown;
+    void this.start({ model: 'file', files, choice: { ...this.choice, asWritten }, isFramed: false, isChosen: true });
   }
 
   /** Selects a clip of the shown model. */
@@ -212,10 +221,11 @@ export class ModelLoader {
     return this.shown.variant;
   }
 
-  /** The variant and clip of the shown model. */
+  /** What is selected of the shown model. */
   get choice(): ModelChoice {
     const { clip = 0 } = this.viewport.model?.motion ?? {};
-    return { variant: this.variant, clip: clip > 0 ? clip : undefined };
+    const { variant, asWritten } = this.shown;
+    return { variant, clip: clip > 0 ? clip : undefined, asWritten };
   }
 
   /** The shown model in the form that copied code needs. */
@@ -295,7 +305,8 @@ export class ModelLoader {
       load.files = await fetchFiles(address, options);
       this.addresses.set(load.files, address);
     }
-    return loadModelFiles(load.files!, { ...options, variant: choice.variant });
+    const { variant, asWritten } = choice;
+    return loadModelFiles(load.files!, { ...options, variant, asWritten: asWritten?.length ? asWritten : undefined });
   }
 
   /** Shows a placeholder for a large mesh: the mesh itself as far as it can be drawn before baking, or a coarse copy. */
@@ -340,6 +351,7 @@ export class ModelLoader {
       missing: [],
       ...(model === 'file' && 'missing' in read && { missing: read.missing, unpacked: read.unpacked }),
       variant: next.extras.variants[variant] === undefined ? undefined : variant,
+      asWritten: model === 'file' ? choice.asWritten : undefined,
       simplified: isMesh ? read.simplified : undefined,
       sceneRadius: isMesh ? undefined : 1 / next.root.scale.x,
       isOpen: isMesh && isOpen(statistics),

@@ -201,6 +201,7 @@ function readMesh(name: string, mesh: PlainMesh): ReadModel {
     name,
     notes: [],
     details: [],
+    changes: [],
     missing: [],
     upAxis: 'y',
   };

@@ -1,3 +1,4 @@
+import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { readingTime } from '../../viewer/files/common/ModelFile.js';
 import type { ModelFile, ReadModel } from '../../viewer/files/readModel.js';
@@ -42,6 +43,8 @@ export interface LoadOptions {
   most?: number | undefined;
   /** Index of the material variant. */
   variant?: number | undefined;
+  /** Kinds of changes that are not made to the file. */
+  asWritten?: readonly FileChangeKind[] | undefined;
 }
 
 /** Only smaller files are read on the main thread, which is blocked meanwhile and cannot be cancelled. */
@@ -72,7 +75,10 @@ export async function loadModelFiles(
   }
 }
 
-async function readHere(files: readonly ModelFile[], { signal, onStage, variant }: LoadOptions): Promise<ReadModel> {
+async function readHere(
+  files: readonly ModelFile[],
+  { signal, onStage, variant, asWritten }: LoadOptions,
+): Promise<ReadModel> {
   const bytes = sizeOf(files);
   if (bytes > MAX_BYTES_WITHOUT_WORKER) {
     const [has, takes] = [bytes, MAX_BYTES_WITHOUT_WORKER].map((size) => Math.ceil(size / 2 ** 20));
@@ -83,7 +89,7 @@ async function readHere(files: readonly ModelFile[], { signal, onStage, variant 
   const { readModel } = await import('../../viewer/files/readModel.js');
   const { withPictures } = await import('../../viewer/files/pictures/decodePictures.js');
   signal.throwIfAborted();
-  const read = await readModel(files, onStage, PAGE_SURROUNDINGS, variant);
+  const read = await readModel(files, onStage, PAGE_SURROUNDINGS, variant, asWritten);
   const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
   signal.throwIfAborted();
   return model;
@@ -102,7 +108,7 @@ const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { con
 
 async function readInWorker(
   given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
-  { signal, onStage, onCoarse, most, variant }: LoadOptions,
+  { signal, onStage, onCoarse, most, variant, asWritten }: LoadOptions,
   ahead: ReadAhead | undefined,
 ): Promise<ReadModel> {
   const worker = ahead?.worker ?? startWorker();
@@ -145,8 +151,8 @@ async function readInWorker(
         if (isOver) return;
         bytes = sizeOf(files);
         restartTimer();
-        const isPlain = most === undefined && variant === undefined;
-        if (!ahead) worker.postMessage(isPlain ? files : ({ files, most, variant } satisfies FineRequest));
+        const isPlain = most === undefined && variant === undefined && asWritten === undefined;
+        if (!ahead) worker.postMessage(isPlain ? files : ({ files, most, variant, asWritten } satisfies FineRequest));
       };
       if (given instanceof Promise) given.then(post).catch(reject);
       else post(given);

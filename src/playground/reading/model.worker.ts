@@ -1,3 +1,4 @@
+import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { toModelError } from '../../viewer/files/common/ModelError.js';
 import { checkTriangleCount, meshBuffers, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import { needsCoarse } from '../../viewer/files/mesh/plainNormals.js';
@@ -12,13 +13,15 @@ import {
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 import { coarseModel, isTooFine, simplified, withoutHeavyPictures } from './readLarge.js';
 
-/** Options for reading a model with other than default detail or materials. */
+/** Options for reading a model in another way than by default. */
 export interface FineRequest {
   files: readonly ModelFile[];
   /** The maximum number of triangles; undefined for as many as a sheet shows. */
   most: number | undefined;
   /** Index of the material variant. */
   variant: number | undefined;
+  /** Kinds of changes that are not made to the file. */
+  asWritten: readonly FileChangeKind[] | undefined;
 }
 
 /** A message from the worker: progress, result, or an error's sentence. */
@@ -71,10 +74,10 @@ async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise
 
 addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] | FineRequest>) => {
   try {
-    const { files, most, variant }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
+    const { files, most, variant, asWritten }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
       'files' in data ? data : { files: data };
     const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
-    const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, variant));
+    const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, variant, asWritten));
     const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
     const isLessDrawn = isTooFine(model, most);
     if (most === undefined && model.kind === 'mesh' && needsCoarse(model.mesh)) postCoarse(model);

@@ -42,7 +42,7 @@ export interface LookState {
 export interface DrawingState extends LookState {
   /** The files of the model, if it is the user's own. */
   files: readonly ModelFile[] | undefined;
-  /** The variant and clip of its file. */
+  /** What is selected of its file. */
   choice: ModelChoice;
 }
 

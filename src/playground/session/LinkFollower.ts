@@ -63,8 +63,8 @@ export class LinkFollower {
   }
 
   /**
-   * The state for a link without a model: the present model in its present orientation, and with its variant and clip unless the link names
-   * others.
+   * The state for a link without a model: the present model in its present orientation, and with what is selected of its file unless the
+   * link selects otherwise.
    */
   private onOwnModel(
     { settings: next, choice }: Pick<DrawingState, 'settings' | 'choice'>,
@@ -73,7 +73,12 @@ export class LinkFollower {
     const { upAxis } = this.session.settings;
     return {
       settings: { ...next, model: 'file', upAxis: next.upAxis === SETTINGS.upAxis.default ? upAxis : next.upAxis },
-      choice: { variant: choice.variant ?? before.variant, clip: choice.clip ?? before.clip },
+      choice: {
+        variant: choice.variant ?? before.variant,
+        clip: choice.clip ?? before.clip,
+        asWritten: choice.asWritten ?? before.asWritten,
+        hidden: choice.hidden ?? before.hidden,
+      },
     };
   }
 

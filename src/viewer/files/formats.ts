@@ -1,3 +1,4 @@
+import type { FileChangeKind } from './common/fileChanges.js';
 import { ModelError } from './common/ModelError.js';
 import { extensionOf } from './common/ModelFile.js';
 import type { FindFile, Surroundings } from './common/Surroundings.js';
@@ -23,6 +24,8 @@ export interface FormatFile {
   loadDraco: Surroundings['loadDraco'];
   /** The material variant: its index, or as text its name or its number counted from 1. */
   variant?: string | number | undefined;
+  /** Kinds of changes that are not made. */
+  asWritten: readonly FileChangeKind[];
 }
 
 /** The three.js loader of a format, for copied code. */
@@ -72,6 +75,14 @@ const GLTF = {
   loader: { name: 'GLTFLoader', gives: 'scene' },
 } as const;
 
+async function readAnyGltf(
+  { bytes, name, findFile, loadDraco, variant, asWritten }: FormatFile,
+  isBinary: boolean,
+): Promise<ReadGltf> {
+  const { readGltf } = await import('./gltf/readGltf.js');
+  return readGltf(bytes, name, isBinary, findFile, { loadDraco, variant, showsHidden: asWritten.includes('hidden') });
+}
+
 /** All formats that are read. If several models are dropped together, the one whose format comes first is shown. */
 export const FORMATS: readonly ModelFormat[] = [
   {
@@ -79,16 +90,14 @@ export const FORMATS: readonly ModelFormat[] = [
     name: 'GLB',
     extensions: ['glb'],
     hasSignature: ({ head }) => head.startsWith('glTF'),
-    read: async ({ bytes, name, findFile, loadDraco, variant }) =>
-      (await import('./gltf/readGltf.js')).readGltf(bytes, name, true, findFile, loadDraco, variant),
+    read: (file) => readAnyGltf(file, true),
   },
   {
     ...GLTF,
     name: 'glTF',
     extensions: ['gltf'],
     hasSignature: ({ head }) => /^\s*\{/.test(head),
-    read: async ({ bytes, name, findFile, loadDraco, variant }) =>
-      (await import('./gltf/readGltf.js')).readGltf(bytes, name, false, findFile, loadDraco, variant),
+    read: (file) => readAnyGltf(file, false),
   },
   {
     name: 'OBJ',
@@ -125,7 +134,8 @@ export const FORMATS: readonly ModelFormat[] = [
     up: 'y',
     isWindingCertain: true,
     loader: { name: 'USDLoader', gives: 'object' },
-    read: async ({ bytes, name }) => (await import('./scenes/readUsd.js')).readUsd(bytes, name),
+    read: async ({ bytes, name, asWritten }) =>
+      (await import('./scenes/readUsd.js')).readUsd(bytes, name, asWritten.includes('hidden')),
   },
   {
     name: '3MF',

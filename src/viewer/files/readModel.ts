@@ -1,6 +1,7 @@
 import { Matrix4, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
 import type { BundledDrawing } from './bundle.js';
 import { toUtf8 } from './common/AsciiReader.js';
+import type { FileChange, FileChangeKind } from './common/fileChanges.js';
 import { counted, ModelError, shownName, toModelError } from './common/ModelError.js';
 import { type ModelExtras, movedExtras } from './common/ModelExtras.js';
 import { baseName, extensionOf, MAX_BYTES, type ModelFile, withoutGz } from './common/ModelFile.js';
@@ -50,6 +51,8 @@ interface Read {
   notes: string[];
   /** Details for the longer text that opens on request. */
   details: string[];
+  /** Changes that were made to what the file says. */
+  changes: FileChange[];
   /** Names of files that were not dropped along. */
   missing: string[];
   /** The number of pictures that could not be read. */
@@ -92,6 +95,7 @@ export interface ReadParts extends Read {
  *
  * @param surroundings decoders of pictures and Draco; by default those of a browser, without Draco
  * @param variant material variant of a glTF file: its index, or as text its name or its number counted from 1
+ * @param asWritten kinds of changes that are not made
  * @throws ModelError with one sentence for the user
  */
 export async function readModel(
@@ -99,6 +103,7 @@ export async function readModel(
   onStage: OnStage,
   surroundings: Surroundings = BITMAPS,
   variant?: string | number,
+  asWritten: readonly FileChangeKind[] = [],
 ): Promise<ReadModel> {
   const size = files.reduce((sum, file) => sum + file.content.size, 0);
   if (size > MAX_BYTES) {
@@ -109,7 +114,7 @@ export async function readModel(
   const main = chooseMain(files);
   onStage(`reading ${shownName(main.name)}`);
   try {
-    const read = await readMain(main, files, onStage, { ...surroundings, variant });
+    const read = await readMain(main, files, onStage, { ...surroundings, variant, asWritten });
     return { ...read, notes: [...read.notes, ...otherModelsNote(main, files)] };
   } catch (error) {
     throw toModelError(main.name, error);
@@ -119,6 +124,7 @@ export async function readModel(
 /** The options and platform functions of one reading. */
 interface Circumstances extends Surroundings {
   variant: string | number | undefined;
+  asWritten: readonly FileChangeKind[];
 }
 
 async function readMain(
@@ -128,7 +134,7 @@ async function readMain(
   surroundings: Circumstances,
   isUnpacked = false,
 ): Promise<ReadModel> {
-  const { loadDraco, decodePicture, variant } = surroundings;
+  const { loadDraco, decodePicture, variant, asWritten } = surroundings;
   const name = withoutGz(main.name);
   const shown = shownName(main.name);
   const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), shown, MAX_BYTES));
@@ -153,15 +159,25 @@ async function readMain(
     const file = files.find((one) => comparedName(one.name) === wanted);
     return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
   };
-  const { content, extras, ...parsed } = await parse(format, { bytes, name: shown, findFile, loadDraco, variant });
+  const { content, extras, ...parsed } = await parse(format, {
+    bytes,
+    name: shown,
+    findFile,
+    loadDraco,
+    variant,
+    asWritten,
+  });
   const other = otherFormatNote(main, format);
-  const usual = usualUp(format);
-  const upAxis = format.up;
+  const isUpLeft = asWritten.includes('up');
+  const usual = isUpLeft ? undefined : usualUp(format);
+  const upAxis = isUpLeft ? 'y' : format.up;
+  const changes = [...(isUpLeft ? [] : upChange(format)), ...(parsed.changes ?? [])];
   if ('arrays' in content) {
     const { missing, lostPictures } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
     const details = [...missingDetail(missing), ...other, ...brokenNote(parsed.broken), ...parsed.details];
-    return { kind: 'parts', name, upAxis, usual, notes, details, missing, lostPictures, parts: content, extras };
+    const common = { name, upAxis, usual, notes, details, changes, missing, lostPictures, extras };
+    return { kind: 'parts', ...common, parts: content };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
@@ -199,6 +215,7 @@ async function readMain(
       ...turnedNote(turned),
       ...parsed.details,
     ],
+    changes,
   };
 }
 
@@ -258,6 +275,10 @@ const turnedNote = (triangles: number): string[] =>
 const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | undefined =>
   isUpCertain ? undefined : { up, liesFlat };
 
+/** The change of a model whose format has another up axis than the page. */
+const upChange = ({ name, up, isUpCertain }: ModelFormat): FileChange[] =>
+  up === 'z' && !isUpCertain ? [{ kind: 'up', sentence: `stood up: z is up in ${name} files` }] : [];
+
 /** The result of a format's reader. */
 interface Parsed extends Omit<ReadGltf, 'content'> {
   content: PlainMesh | GltfParts | Object3D;
@@ -270,7 +291,7 @@ async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
   const notes = notesOn(read);
   const { readMoving } = await import('./scenes/readMoving.js');
   const moving = await readMoving(read.root, file.name, file.findFile);
-  if (moving) return { ...moving, notes: [...new Set([...moving.notes, ...notes])] };
+  if (moving) return { ...moving, notes: [...new Set([...moving.notes, ...notes])], changes: read.changes ?? [] };
   return parsedOf({ ...read, notes: ['shown without its motion'] });
 }
 
@@ -279,7 +300,8 @@ function parsedOf(read: NotedMesh | LoadedScene): Parsed {
   const isScene = 'root' in read;
   const { missing = [] }: Partial<LoadedScene> = isScene ? read : {};
   const content = isScene ? read.root : read.mesh;
-  return { content, broken: 0, notes: isScene ? notesOn(read) : read.notes, details: [], missing };
+  const changes = isScene ? (read.changes ?? []) : [];
+  return { content, broken: 0, notes: isScene ? notesOn(read) : read.notes, details: [], changes, missing };
 }
 
 /** Notes for the caption on a scene: the reader's, and those on objects that are not drawn. */

@@ -1,3 +1,4 @@
+import { FILE_CHANGE_KINDS, type FileChangeKind } from '../files/common/fileChanges.js';
 import {
   type CameraView,
   cameraParts,
@@ -10,19 +11,37 @@ import {
 } from './CameraView.js';
 import { PRESET_NAMES } from './presetLabels.js';
 import { firstView, presetLook } from './presets.js';
+import { readRanges, writeRanges } from './ranges.js';
 import { acceptSetting, defaultSettings, SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 
-/** What is selected of a model's file, by indices from 0. */
+/** What is selected of a model's file, by indices from 0. Left out for the usual. */
 export interface ModelChoice {
   /** Index of the material variant; undefined for the file's default materials. */
   readonly variant: number | undefined;
   /** Index of the clip; undefined for the first. */
   readonly clip: number | undefined;
+  /** Kinds of changes that are not made to the file, in the order of `FILE_CHANGE_KINDS`; undefined for none. */
+  readonly asWritten?: readonly FileChangeKind[] | undefined;
+  /** Indices of the parts that are hidden, in rising order; undefined for none. */
+  readonly hidden?: readonly number[] | undefined;
 }
 
 export const NO_CHOICE: ModelChoice = { variant: undefined, clip: undefined };
 
-export const isSameChoice = (a: ModelChoice, b: ModelChoice): boolean => a.variant === b.variant && a.clip === b.clip;
+export const isSameChoice = (a: ModelChoice, b: ModelChoice): boolean =>
+  a.clip === b.clip && isReadAlike(a, b) && isSameList(a.hidden, b.hidden);
+
+/** What of a choice decides how a file is read; the rest is how the model is shown. A variant may be a name, or a number counted from 1. */
+export interface HowRead extends Pick<ModelChoice, 'asWritten'> {
+  readonly variant?: string | number | undefined;
+}
+
+/** Whether a file is read in the same way for two choices. */
+export const isReadAlike = (a: HowRead, b: HowRead): boolean =>
+  a.variant === b.variant && isSameList(a.asWritten, b.asWritten);
+
+const isSameList = (a: readonly unknown[] = [], b: readonly unknown[] = []): boolean =>
+  a === b || (a.length === b.length && a.every((value, i) => value === b[i]));
 
 /** What a link brings back. */
 export interface LinkedDrawing {
@@ -36,7 +55,7 @@ export interface LinkedDrawing {
   views: readonly SavedView[];
   /** The user's own hand, as the text that `readHand` reads, if it is drawn with. It is not read yet. */
   handText: string | undefined;
-  /** The variant and the clip of the model's file. */
+  /** What is selected of the model's file. */
   choice: ModelChoice;
 }
 
@@ -47,7 +66,7 @@ export interface LinkedDrawing {
  * @param address of the user's own model, if it is on the web; a link cannot refer to a dropped file
  * @param views that are kept with the drawing
  * @param hand the user's own hand as a text; without it, a link cannot say that it is drawn with
- * @param choice the variant and the clip of the model's file, which are numbers from 1 on in a link
+ * @param choice what is selected of the model's file. Indices are numbers from 1 on in a link, and hidden parts are ranges of them
  */
 export function writeLink(
   settings: Settings,
@@ -68,6 +87,8 @@ export function writeLink(
   }
   if (settings.mapStyle === 'ownHand' && hand !== undefined) parameters.set('hand', hand);
   for (const key of CHOICES) if (choice[key] !== undefined) parameters.set(key, String(choice[key] + 1));
+  if (choice.asWritten?.length) parameters.set('asWritten', choice.asWritten.join(','));
+  if (choice.hidden?.length) parameters.set('hidden', writeRanges(choice.hidden));
   if (camera) {
     const parts = cameraParts(camera).map((part) => (typeof part === 'number' ? shortest(part) : part));
     parameters.set('camera', parts.join(','));
@@ -120,9 +141,19 @@ export function readLink(hash: string): LinkedDrawing {
       .map(readView)
       .filter((view) => view !== undefined),
     handText,
-    choice: Object.fromEntries(
-      CHOICES.map((key) => [key, indexOf(parameters.get(key) ?? '')]),
-    ) as unknown as ModelChoice,
+    choice: readChoice(parameters),
+  };
+}
+
+function readChoice(parameters: URLSearchParams): ModelChoice {
+  const [variant, clip] = CHOICES.map((key) => indexOf(parameters.get(key) ?? ''));
+  const kinds = (parameters.get('asWritten') ?? '').split(',');
+  const asWritten = FILE_CHANGE_KINDS.filter((kind) => kinds.includes(kind));
+  const hidden = readRanges(parameters.get('hidden') ?? '');
+  return {
+    ...{ variant, clip },
+    ...(asWritten.length > 0 && { asWritten }),
+    ...(hidden.length > 0 && { hidden }),
   };
 }
 

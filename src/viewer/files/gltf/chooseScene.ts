@@ -1,3 +1,4 @@
+import { type FileChange, hiddenChange } from '../common/fileChanges.js';
 import { ModelError, shownName } from '../common/ModelError.js';
 import type { GltfDocument } from './gltfDocument.js';
 
@@ -15,15 +16,18 @@ export interface ChosenScene {
   notes: string[];
   /** Details for the longer text that opens on request. */
   details: string[];
+  /** Changes that were made to what the document says. */
+  changes: FileChange[];
 }
 
 /**
  * Chooses the document's default scene, or else its first. Without scenes, all nodes are shown; without nodes, every mesh, by a node added
  * to the document.
  *
+ * @param showsHidden whether nodes that are hidden in the document are shown
  * @throws ModelError if there is no mesh, or nodes form a cycle, or are too many
  */
-export function chooseScene(document: GltfDocument, fileName: string): ChosenScene {
+export function chooseScene(document: GltfDocument, fileName: string, showsHidden = false): ChosenScene {
   const { scenes, nodes, meshes } = document;
   if (meshes.length === 0) throw new ModelError(`${fileName} holds no mesh, so there is nothing to draw.`);
   const hasNodes = nodes.length > 0;
@@ -38,7 +42,11 @@ export function chooseScene(document: GltfDocument, fileName: string): ChosenSce
   else if (scenes.length > 1) {
     notes.push(`scene ${index + 1} of ${scenes.length}${scene.name ? `, “${shownName(scene.name)}”` : ''}`);
   }
-  return { name: scene?.name, roots, visible: visibleNodes(document, roots), notes, details };
+  const all = nodesBelow(nodes, roots);
+  const visible = showsHidden ? [...all] : visibleNodes(document, roots);
+  const shown = new Set(visible);
+  const hidden = [...all].filter((node) => nodes[node].mesh !== undefined && !shown.has(node)).length;
+  return { name: scene?.name, roots, visible, notes, details, changes: hiddenChange(hidden) };
 }
 
 /**

@@ -1,4 +1,5 @@
 import { Matrix4 } from 'three';
+import type { FileChange } from '../common/fileChanges.js';
 import { counted, ModelError, shownName } from '../common/ModelError.js';
 import { type ModelExtras, movedExtras } from '../common/ModelExtras.js';
 import { baseName, readUri } from '../common/ModelFile.js';
@@ -56,6 +57,8 @@ export interface ReadGltf {
   notes: string[];
   /** Details for the longer text that opens on request. */
   details: string[];
+  /** Changes that were made to what the file says. */
+  changes?: FileChange[];
   /** Names of pictures that were not dropped along. */
   missing: string[];
   /** Cameras, lights and variants, in the space of `content`. */
@@ -67,7 +70,8 @@ export interface ReadGltf {
 /**
  * Reads GLB, or glTF with its files, with or without Draco or meshopt compression. Fetches nothing.
  *
- * @param variant material variant: its index, or as text its name or its number counted from 1
+ * @param options.variant material variant: its index, or as text its name or its number counted from 1
+ * @param options.showsHidden whether nodes that are hidden in the file are shown
  * @throws ModelError
  */
 export async function readGltf(
@@ -75,15 +79,18 @@ export async function readGltf(
   name: string,
   isBinary: boolean,
   findFile: FindFile,
-  loadDraco: Surroundings['loadDraco'] = BITMAPS.loadDraco,
-  variant?: string | number,
+  {
+    loadDraco = BITMAPS.loadDraco,
+    variant,
+    showsHidden = false,
+  }: Partial<Pick<Surroundings, 'loadDraco'>> & { variant?: string | number | undefined; showsHidden?: boolean } = {},
 ): Promise<ReadGltf> {
   const { text, binary } = isBinary
     ? splitGlb(bytes, name)
     : { text: new TextDecoder().decode(bytes), binary: undefined };
   const { document, leftOut, unread } = readGltfDocument(text, name);
   if (variant !== undefined) useVariant(document, variant, name);
-  const chosen = chooseScene(document, name);
+  const chosen = chooseScene(document, name, showsHidden);
   const values = new GltfValues(document, await collectBuffers(document, name, binary, findFile), name);
   await values.prepare();
   const draco = dracoSource(document, values, name, loadDraco);
@@ -119,6 +126,7 @@ export async function readParts(
       broken: plain.broken,
       notes: [...chosen.notes, ...plain.notes, ...notes],
       details: [...chosen.details, ...plain.details],
+      changes: chosen.changes,
       missing,
       lostPictures,
       extras: gltfExtras(document, chosen),

@@ -1,4 +1,5 @@
 import { BackSide, Loader, type Material, type Mesh, type MeshBasicMaterial, type Object3D } from 'three';
+import type { FileChange } from '../common/fileChanges.js';
 import { ModelError } from '../common/ModelError.js';
 
 /** Hides the sky and ground that three's VRML loader adds, in which the model would be a dot. */
@@ -20,6 +21,8 @@ export interface LoadedScene {
   missing?: string[];
   /** Further notes for the caption. */
   notes?: string[];
+  /** Changes that were made to what the file says. */
+  changes?: FileChange[];
 }
 
 /** Note that displacement maps are not drawn. */

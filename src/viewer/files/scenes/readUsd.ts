@@ -1,23 +1,30 @@
 import type { BufferGeometry, Mesh } from 'three';
 import { USDLoader } from 'three/addons/loaders/USDLoader.js';
+import { hiddenChange } from '../common/fileChanges.js';
 import { replace, withFakeDocument } from './fakeDocument.js';
 import { DISPLACEMENT_NOTE, type LoadedScene, sceneOf } from './LoadedScene.js';
 import { repairFans } from './repairFans.js';
 
 const SIGNATURE = '#usda';
 
-/** Reads a USD file: text, binary or package (USDZ). @throws Error of the loader */
-export async function readUsd(bytes: Uint8Array, name: string): Promise<LoadedScene> {
+/**
+ * Reads a USD file: text, binary or package (USDZ).
+ *
+ * @param showsHidden whether invisible prims are shown
+ * @throws Error of the loader
+ */
+export async function readUsd(bytes: Uint8Array, name: string, showsHidden = false): Promise<LoadedScene> {
   const notes = new Set<string>();
+  const hidden = { isShown: showsHidden, meshes: 0 };
   const prototype = await composerPrototype();
   // Nothing is awaited while the composer is patched, so that two files that are read at once do not undo each other's patch.
-  const restore = prototype ? patchUsd(prototype, notes) : () => {};
+  const restore = prototype ? patchUsd(prototype, notes, hidden) : () => {};
   try {
     const isText = new TextDecoder('latin1').decode(bytes.subarray(0, SIGNATURE.length)) === SIGNATURE;
     const content = isText ? plainUsda(new TextDecoder().decode(bytes)) : bytes.slice().buffer;
     const root = withFakeDocument(() => new USDLoader().parse(content));
     if (root) repairFans(root);
-    return { ...sceneOf(root, name), notes: [...notes] };
+    return { ...sceneOf(root, name), notes: [...notes], changes: hiddenChange(hidden.meshes) };
   } finally {
     restore();
   }
@@ -83,14 +90,19 @@ const LEFT_OUT: Readonly<Record<string, string>> = {
  * faces outside of all subsets. Meshes without normals get zeros, so that normals are computed later with creases kept.
  *
  * @param notes receives notes for the caption
+ * @param hidden whether invisible prims are shown; receives the number of their meshes that are left out
  * @returns a function that removes the patch
  */
-function patchUsd(prototype: UsdComposer, notes: Set<string>): () => void {
+function patchUsd(
+  prototype: UsdComposer,
+  notes: Set<string>,
+  hidden: { readonly isShown: boolean; meshes: number },
+): () => void {
   const { compose, _buildMesh, _getGeomSubsets, _getReferences, _resolveReference } = prototype;
   return replace(prototype, {
     _computeVertexNormals: (points: ArrayLike<number>) => new Float32Array(points.length),
     compose(this: UsdComposer, data: { specsByPath: Specs }, ...others: unknown[]): unknown {
-      dropHidden(data.specsByPath);
+      hidden.meshes += dropHidden(data.specsByPath, hidden.isShown);
       for (const [path, spec] of Object.entries(data.specsByPath)) noteOn(path, spec, notes);
       return compose.call(this, data, ...others);
     },
@@ -131,23 +143,36 @@ const plainUsda = (text: string): string =>
     .replace(/\bdef((?:\s+\w+)?\s+"[^"]*"\s*\([^)]*\bactive\s*=\s*false\b)/g, 'over$1')
     .replace(/\b(?:(?:prepend|append|add)\s+)?references(\s*=)/g, 'prepend references$1');
 
-/** Removes invisible and inactive prims, guides and proxies, with all below them. */
-function dropHidden(specs: Specs): void {
+/**
+ * Removes inactive prims, guides and proxies, and invisible prims unless they are shown, with all below them.
+ *
+ * @returns the number of meshes removed because they are invisible
+ */
+function dropHidden(specs: Specs, showsInvisible: boolean): number {
   const prims = Object.entries(specs).filter(([, { specType }]) => specType === PRIM);
   const given = (path: string, name: string): unknown => specs[`${path}.${name}`]?.fields?.default;
   const isRendered = prims.some(([path]) => given(path, 'purpose') === 'render');
-  const hidden = new Set<string>();
+  const dropped = new Set<string>();
+  const invisible = new Set<string>();
   for (const [path, { fields }] of prims) {
     const purpose = given(path, 'purpose');
     const isLeftOut = purpose === 'guide' || (purpose === 'proxy' && isRendered);
-    if (isLeftOut || given(path, 'visibility') === 'invisible' || fields?.active === false) hidden.add(path);
+    if (isLeftOut || fields?.active === false) dropped.add(path);
+    else if (!showsInvisible && given(path, 'visibility') === 'invisible') invisible.add(path);
   }
-  if (hidden.size === 0) return;
+  if (dropped.size + invisible.size === 0) return 0;
+  let meshes = 0;
   for (const path of Object.keys(specs)) {
     const [prim] = path.split('.');
     const parts = prim.split('/');
-    if (parts.some((_, i) => hidden.has(parts.slice(0, i + 1).join('/')))) delete specs[path];
+    const isBelow = (prims: ReadonlySet<string>): boolean =>
+      parts.some((_, i) => prims.has(parts.slice(0, i + 1).join('/')));
+    const isDropped = isBelow(dropped);
+    if (!isDropped && !isBelow(invisible)) continue;
+    if (!isDropped && path === prim && specs[path].fields?.typeName === 'Mesh') meshes++;
+    delete specs[path];
   }
+  return meshes;
 }
 
 function noteOn(path: string, { specType, fields = {} }: Spec, notes: Set<string>): void {

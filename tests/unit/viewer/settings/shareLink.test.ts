@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import type { CameraView } from '../../../../src/viewer/settings/CameraView.js';
 import { Random } from '../../../../src/viewer/settings/Random.js';
 import { defaultSettings, SETTING_KEYS, SETTINGS } from '../../../../src/viewer/settings/settings.js';
-import { NO_CHOICE, readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
+import { type ModelChoice, NO_CHOICE, readLink, writeLink } from '../../../../src/viewer/settings/shareLink.js';
 
 describe('a link', () => {
   test('with nothing but defaults is not the first view', () => {
@@ -58,6 +58,17 @@ describe('a link', () => {
     for (const other of ['', '0', '-1', '1.5', 'red', '1e3', '99999', '١']) {
       expect(readLink(`variant=${other}&clip=${other}`).choice).toEqual(NO_CHOICE);
     }
+  });
+
+  test('includes hidden parts, and the changes that are not made to a file', () => {
+    const choice: ModelChoice = { ...NO_CHOICE, asWritten: ['orientation', 'hidden'], hidden: [0, 1, 2, 6] };
+    const link = writeLink(defaultSettings(), undefined, undefined, [], undefined, choice);
+    expect(new URLSearchParams(link).get('hidden')).toBe('1-3,7');
+    expect(readLink(link).choice).toEqual(choice);
+    expect(readLink('asWritten=sides,none,orientation&hidden=x').choice).toEqual({
+      ...NO_CHOICE,
+      asWritten: ['orientation', 'sides'],
+    });
   });
 
   test('carries a model by its address, over HTTPS alone', () => {

@@ -1,0 +1,57 @@
+import { describe, expect, test } from 'vitest';
+import type { FileChangeKind } from '../../../../src/viewer/files/common/fileChanges.js';
+import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
+import { tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
+import { boxStl, type Content, file, triangles } from '../../../../tools/modelFiles/modelWriters.js';
+
+async function read(name: string, content: Content, ...asWritten: FileChangeKind[]): Promise<ReadMesh> {
+  const model = await readModel([file(name, content)], () => {}, undefined, undefined, asWritten);
+  if (model.kind !== 'mesh') throw new Error(`${name} is not a mesh`);
+  return model;
+}
+
+const prim = (name: string, x: number, more = ''): string => `
+    def Mesh "${name}"
+    {
+        int[] faceVertexCounts = [3]
+        int[] faceVertexIndices = [0, 1, 2]
+        point3f[] points = [(${x}, 0, 0), (1, 0, 0), (1, 1, 0)]
+        ${more}
+    }`;
+const usda = `#usda 1.0\n(\n    defaultPrim = "Root"\n)\n\ndef Xform "Root"\n{\n${[
+  prim('seen', 0),
+  prim('lamp', -1, 'token visibility = "invisible"'),
+  prim('rig', -2, 'uniform token purpose = "guide"'),
+].join('\n')}\n}\n`;
+
+describe('changes to what a file says', () => {
+  test('a model is stood up by the up axis of its format, unless that is left', async () => {
+    const stl = boxStl([0, 0, 0]);
+    const { upAxis, changes } = await read('a.stl', stl);
+    expect([upAxis, changes]).toEqual(['z', [{ kind: 'up', sentence: 'stood up: z is up in STL files' }]]);
+    const left = await read('a.stl', stl, 'up');
+    expect([left.upAxis, left.stands, left.changes]).toEqual(['y', undefined, []]);
+  });
+
+  test('nodes that a glTF file hides are left out, and counted, or shown', async () => {
+    const builder = tetrahedron();
+    const hidden = { extensions: { KHR_node_visibility: { visible: false } }, children: [2] };
+    const nodes = [{ mesh: 0 }, hidden, { mesh: 0, translation: [3, 0, 0] }];
+    Object.assign(builder.json, { nodes, scenes: [{ nodes: [0, 1] }] });
+    const glb = builder.glb();
+    const whole = await read('a.glb', glb);
+    expect([triangles(whole), whole.changes]).toEqual([
+      4,
+      [{ kind: 'hidden', sentence: '1 part left out: hidden in the file' }],
+    ]);
+    const shown = await read('a.glb', glb, 'hidden');
+    expect([triangles(shown), shown.changes]).toEqual([8, []]);
+  });
+
+  test('invisible prims of a USD file are shown on request, but not its guides', async () => {
+    const whole = await read('a.usda', usda);
+    expect([triangles(whole), whole.changes.map(({ kind }) => kind)]).toEqual([1, ['hidden']]);
+    const shown = await read('a.usda', usda, 'hidden');
+    expect([triangles(shown), shown.changes]).toEqual([2, []]);
+  });
+});
