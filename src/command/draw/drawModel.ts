@@ -164,14 +164,17 @@ function offer(option: string, names: readonly string[], chosen: string | number
 /** Reports what is wrong with the model: one line per missing file. */
 function tellFaults(
   name: string,
-  { missing, details }: ReadModel,
+  { missing, details, changes }: ReadModel,
   notes: readonly string[],
   note: (sentence: string) => void,
 ): void {
   const files = new Set(missing);
   for (const file of files) note(`${name}: ${shownName(file)} is missing; put it beside the model.`);
   const ofFiles = [...missingNote(missing), ...missingDetail(missing)];
-  for (const one of [...notes, ...details]) if (!ofFiles.includes(one)) note(`${name}: ${plainSentence(one)}.`);
+  // The usual up axis of a format is no fault of the file.
+  const changed = changes.filter(({ kind }) => kind !== 'up').map(({ sentence }) => sentence);
+  for (const one of [...notes, ...details, ...changed])
+    if (!ofFiles.includes(one)) note(`${name}: ${plainSentence(one)}.`);
 }
 
 /**

@@ -184,7 +184,8 @@ async function readMain(
   const merged = 'isObject3D' in content ? mergeScene(content, wanted, undefined, parsed.notes) : content;
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh: whole, broken } = cleanMesh(distinct);
-  const { mesh, turned } = format.isWindingCertain ? { mesh: whole, turned: 0 } : orientMesh(whole);
+  const isTurned = !format.isWindingCertain && !asWritten.includes('orientation');
+  const { mesh, turned } = isTurned ? orientMesh(whole) : { mesh: whole, turned: 0 };
   const { centre, radius } = fitModel(mesh);
   const normals = plainNormals(mesh);
   const { pictures, clear, notes, lostPictures, ...lacks } = await readMeshPictures(
@@ -212,10 +213,9 @@ async function readMain(
       ...other,
       ...brokenNote(parsed.broken + broken),
       ...duplicateNote(duplicates),
-      ...turnedNote(turned),
       ...parsed.details,
     ],
-    changes,
+    changes: [...changes, ...turnedChange(turned)],
   };
 }
 
@@ -268,8 +268,10 @@ const brokenNote = (triangles: number): string[] =>
 const duplicateNote = (triangles: number): string[] =>
   triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
 
-const turnedNote = (triangles: number): string[] =>
-  triangles === 0 ? [] : [counted(triangles, 'triangle', 'that faced inward turned')];
+const turnedChange = (triangles: number): FileChange[] =>
+  triangles === 0
+    ? []
+    : [{ kind: 'orientation', sentence: `${counted(triangles, 'triangle', 'that faced inward')} turned around` }];
 
 /** The usual orientation of a format; undefined where files state it. */
 const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | undefined =>

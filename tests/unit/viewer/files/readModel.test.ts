@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { colouredBoxObj, measure, read } from '../../../../tools/modelFiles/modelWriters.js';
 
 describe('what the caption says', () => {
@@ -53,10 +54,18 @@ describe('what faces inward', () => {
 
   test('is turned in formats that promise nothing, and said behind "i"', async () => {
     const right = await read(['a.obj', colouredBoxObj.replace('mtllib box.mtl\n', '')]);
-    const { details, ...found } = await read(['a.obj', inward]);
+    const { changes, ...found } = await read(['a.obj', inward]);
     expect(measure(found as typeof right).volume).toBeCloseTo(measure(right).volume, 6);
     expect(measure(right).volume).toBeGreaterThan(0);
-    expect(details).toEqual(['12 triangles that faced inward turned']);
-    expect(right.details).toEqual([]);
+    const sentence = '12 triangles that faced inward turned around';
+    expect(changes).toEqual([{ kind: 'orientation', sentence }]);
+    expect(right.changes).toEqual([]);
+  });
+
+  test('is left as written if that is asked for', async () => {
+    const file = { name: 'a.obj', content: new Blob([inward]) };
+    const found = await readModel([file], () => {}, undefined, undefined, ['orientation']);
+    expect(measure(found as Awaited<ReturnType<typeof read>>).volume).toBeLessThan(0);
+    expect(found.changes).toEqual([]);
   });
 });

@@ -130,10 +130,8 @@ describe('OBJ', () => {
     const obj = [a, 'v', b, c, 'v ', d, 'vn', 'vn 0 0 1', 'f 1//2 3//2 4//2', 'f 1 3 6', 'f 1 2 6'].join('\n');
     const lacking = await read(['a.obj', obj]);
     expect(measure(lacking)).toEqual(measure(whole));
-    expect(lacking.details).toEqual([
-      '1 triangle without three valid corners left out',
-      '1 triangle that faced inward turned',
-    ]);
+    expect(lacking.details).toEqual(['1 triangle without three valid corners left out']);
+    expect(lacking.changes).toMatchObject([{ kind: 'orientation' }]);
   });
 
   test('triangles with a corner that does not exist are left out, and counted', async () => {
