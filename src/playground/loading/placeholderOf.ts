@@ -15,7 +15,7 @@ import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
 export function placeholderOf(read: ReadModel | BuiltInScene, settings: Settings): HatchedModel | undefined {
   if (read.kind !== 'mesh' || !read.plainNormals) return undefined;
   if (drawsWithAdjacency(settings)) return undefined;
-  const { mesh, plainNormals, isClosed } = read;
+  const { mesh, plainNormals, hidesBacks } = read;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   geometry.setAttribute('normal', new BufferAttribute(plainNormals, 3));
@@ -24,7 +24,7 @@ export function placeholderOf(read: ReadModel | BuiltInScene, settings: Settings
   // Faster than three's measuring, which calls a function per number.
   const { low, high } = boundsOf(mesh.positions);
   geometry.boundingBox = new Box3(new Vector3(...low), new Vector3(...high));
-  const side = isClosed ? FrontSide : DoubleSide;
+  const side = hidesBacks ? FrontSide : DoubleSide;
   const vertexColors = mesh.colors !== null;
   return unbaked(
     geometry,

@@ -196,7 +196,7 @@ function readMesh(name: string, mesh: PlainMesh): ReadModel {
     mesh,
     pictures: [],
     plainNormals: null,
-    isClosed: false,
+    hidesBacks: false,
     stands: undefined,
     name,
     notes: [],

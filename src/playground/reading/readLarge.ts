@@ -1,7 +1,7 @@
 import { MOST_PIXELS } from '../../mesh/detail/chooseLevel.js';
 import { clusterMesh } from '../../viewer/files/mesh/clusterMesh.js';
 import { canDraw, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
-import { isClosed, meanNormals, plainNormals } from '../../viewer/files/mesh/plainNormals.js';
+import { hidesBacks, meanNormals, plainNormals } from '../../viewer/files/mesh/plainNormals.js';
 import type { ReadMesh, ReadModel } from '../../viewer/files/readModel.js';
 
 /** Meshes with more triangles are simplified before they are baked. */
@@ -26,7 +26,7 @@ export function withoutHeavyPictures(model: ReadModel): ReadModel {
 /** A coarse copy of a model, to be drawn until it is simplified and baked. */
 export function coarseModel(model: ReadMesh): ReadMesh {
   const mesh = clusterMesh(model.mesh);
-  return { ...model, mesh, plainNormals: meanNormals(mesh), isClosed: isClosed(mesh) };
+  return { ...model, mesh, plainNormals: meanNormals(mesh), hidesBacks: hidesBacks(mesh) };
 }
 
 /**
@@ -60,7 +60,7 @@ export async function simplified(
     ...model,
     mesh,
     plainNormals: normals,
-    isClosed: normals !== null && isClosed(mesh),
+    hidesBacks: normals !== null && hidesBacks(mesh),
     simplified: { triangles: triangleCount(model.mesh), error },
     details: [
       ...model.details,

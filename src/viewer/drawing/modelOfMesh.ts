@@ -1,4 +1,14 @@
-import { Box3, type BufferGeometry, Group, Mesh, type Side, SRGBColorSpace, Texture } from 'three';
+import {
+  Box3,
+  type BufferGeometry,
+  DoubleSide,
+  FrontSide,
+  Group,
+  Mesh,
+  type Side,
+  SRGBColorSpace,
+  Texture,
+} from 'three';
 import {
   HatchingComposition,
   HatchingMaterial,
@@ -129,17 +139,22 @@ function partOf(mesh: PlainMesh, ranges: readonly PictureRange[]): PlainMesh {
   return cleanMesh({ ...mesh, indices, ranges: moved }).mesh;
 }
 
+/** @param usual the sides of ranges of which the file does not say it */
 function materialsOf(
-  { ranges = [{ start: 0, count: 0, picture: -1 }], colors }: PlainMesh,
-  side: Side,
+  {
+    colors,
+    isOneSided: isAllOneSided,
+    ranges = [{ start: 0, count: 0, picture: -1, isOneSided: isAllOneSided }],
+  }: PlainMesh,
+  usual: Side,
   paintOf: (picture: number) => HatchingMaterialParameters,
 ): HatchingMaterial[] {
-  return ranges.map(({ picture, isSeeThrough = false }) => {
+  return ranges.map(({ picture, isSeeThrough = false, isOneSided }) => {
     const glass = isSeeThrough ? { transparent: true, depthWrite: false } : {};
     return new HatchingMaterial({
       tilesPerObjectUnit: 1,
       vertexColors: colors !== null,
-      side,
+      side: isOneSided === undefined ? usual : isOneSided ? FrontSide : DoubleSide,
       ...paintOf(picture),
       ...glass,
     });

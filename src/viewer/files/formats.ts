@@ -26,6 +26,8 @@ export interface FormatFile {
   variant?: string | number | undefined;
   /** Kinds of changes that are not made. */
   asWritten: readonly FileChangeKind[];
+  /** Whether both sides of all surfaces are drawn, whatever the file says. */
+  hasBothSides: boolean;
 }
 
 /** The three.js loader of a format, for copied code. */
@@ -76,11 +78,12 @@ const GLTF = {
 } as const;
 
 async function readAnyGltf(
-  { bytes, name, findFile, loadDraco, variant, asWritten }: FormatFile,
+  { bytes, name, findFile, loadDraco, variant, asWritten, hasBothSides }: FormatFile,
   isBinary: boolean,
 ): Promise<ReadGltf> {
   const { readGltf } = await import('./gltf/readGltf.js');
-  return readGltf(bytes, name, isBinary, findFile, { loadDraco, variant, showsHidden: asWritten.includes('hidden') });
+  const showsHidden = asWritten.includes('hidden');
+  return readGltf(bytes, name, isBinary, findFile, { loadDraco, variant, showsHidden, hasBothSides });
 }
 
 /** All formats that are read. If several models are dropped together, the one whose format comes first is shown. */

@@ -22,7 +22,7 @@ import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
 import { orientMesh } from './mesh/orientMesh.js';
 import { type NotedMesh, type PlainMesh, thinNote } from './mesh/PlainMesh.js';
-import { isClosed, plainNormals } from './mesh/plainNormals.js';
+import { hidesBacks, plainNormals } from './mesh/plainNormals.js';
 import {
   type MeshPicture,
   missingDetail,
@@ -72,8 +72,8 @@ export interface ReadMesh extends Read {
   pictures: (MeshPicture | undefined)[];
   /** Normals for a placeholder that is drawn until the mesh is baked; null if none is needed, or a coarse copy is the placeholder. */
   plainNormals: Float32Array | null;
-  /** Whether the placeholder is closed, so that its back faces are hidden. False without `plainNormals`. */
-  isClosed: boolean;
+  /** Whether the back faces of the placeholder are hidden. False without `plainNormals`. */
+  hidesBacks: boolean;
   /** The up axis by the model's flat side, if that differs from the format's usual one. */
   stands: UpAxis | undefined;
   /** The result of simplification: the number of triangles in the file, and the maximum deviation in radii. Undefined if not simplified. */
@@ -96,6 +96,7 @@ export interface ReadParts extends Read {
  * @param surroundings decoders of pictures and Draco; by default those of a browser, without Draco
  * @param variant material variant of a glTF file: its index, or as text its name or its number counted from 1
  * @param asWritten kinds of changes that are not made
+ * @param hasBothSides whether both sides of all surfaces are drawn, also of those that the file has for one-sided
  * @throws ModelError with one sentence for the user
  */
 export async function readModel(
@@ -104,6 +105,7 @@ export async function readModel(
   surroundings: Surroundings = BITMAPS,
   variant?: string | number,
   asWritten: readonly FileChangeKind[] = [],
+  hasBothSides = false,
 ): Promise<ReadModel> {
   const size = files.reduce((sum, file) => sum + file.content.size, 0);
   if (size > MAX_BYTES) {
@@ -114,7 +116,7 @@ export async function readModel(
   const main = chooseMain(files);
   onStage(`reading ${shownName(main.name)}`);
   try {
-    const read = await readMain(main, files, onStage, { ...surroundings, variant, asWritten });
+    const read = await readMain(main, files, onStage, { ...surroundings, variant, asWritten, hasBothSides });
     return { ...read, notes: [...read.notes, ...otherModelsNote(main, files)] };
   } catch (error) {
     throw toModelError(main.name, error);
@@ -125,6 +127,7 @@ export async function readModel(
 interface Circumstances extends Surroundings {
   variant: string | number | undefined;
   asWritten: readonly FileChangeKind[];
+  hasBothSides: boolean;
 }
 
 async function readMain(
@@ -134,7 +137,7 @@ async function readMain(
   surroundings: Circumstances,
   isUnpacked = false,
 ): Promise<ReadModel> {
-  const { loadDraco, decodePicture, variant, asWritten } = surroundings;
+  const { loadDraco, decodePicture, variant, asWritten, hasBothSides } = surroundings;
   const name = withoutGz(main.name);
   const shown = shownName(main.name);
   const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), shown, MAX_BYTES));
@@ -159,14 +162,8 @@ async function readMain(
     const file = files.find((one) => comparedName(one.name) === wanted);
     return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
   };
-  const { content, extras, ...parsed } = await parse(format, {
-    bytes,
-    name: shown,
-    findFile,
-    loadDraco,
-    variant,
-    asWritten,
-  });
+  const file = { bytes, name: shown, findFile, loadDraco, variant, asWritten, hasBothSides };
+  const { content, extras, ...parsed } = await parse(format, file);
   const other = otherFormatNote(main, format);
   const isUpLeft = asWritten.includes('up');
   const usual = isUpLeft ? undefined : usualUp(format);
@@ -176,8 +173,13 @@ async function readMain(
     const { missing, lostPictures } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
     const details = [...missingDetail(missing), ...other, ...brokenNote(parsed.broken), ...parsed.details];
-    const common = { name, upAxis, usual, notes, details, changes, missing, lostPictures, extras };
-    return { kind: 'parts', ...common, parts: content };
+    const common = { name, upAxis, usual, notes, details, missing, lostPictures, extras };
+    return {
+      kind: 'parts',
+      ...common,
+      changes: [...changes, ...sidesChange(content.hasBothSides)],
+      parts: content,
+    };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
@@ -202,7 +204,7 @@ async function readMain(
     mesh: withClearRanges(mesh, clear),
     pictures,
     plainNormals: normals,
-    isClosed: normals !== null && isClosed(mesh),
+    hidesBacks: normals !== null && hidesBacks(mesh),
     stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
     extras: extras && movedExtras(extras, fitOf(centre, radius)),
     missing,
@@ -215,7 +217,7 @@ async function readMain(
       ...duplicateNote(duplicates),
       ...parsed.details,
     ],
-    changes: [...changes, ...turnedChange(turned)],
+    changes: [...changes, ...turnedChange(turned), ...sidesChange(hasBothSides && format.isWindingCertain === true)],
   };
 }
 
@@ -272,6 +274,9 @@ const turnedChange = (triangles: number): FileChange[] =>
   triangles === 0
     ? []
     : [{ kind: 'orientation', sentence: `${counted(triangles, 'triangle', 'that faced inward')} turned around` }];
+
+const sidesChange = (hasBothSides: boolean): FileChange[] =>
+  hasBothSides ? [{ kind: 'sides', sentence: 'surfaces are drawn from both sides, also one-sided ones' }] : [];
 
 /** The usual orientation of a format; undefined where files state it. */
 const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | undefined =>

@@ -1,11 +1,13 @@
 import {
   type AnimationClip,
   ClampToEdgeWrapping,
+  DoubleSide,
   type Group,
   type InstancedMesh,
   LinearFilter,
   LinearMipmapLinearFilter,
   LinearMipmapNearestFilter,
+  type Mesh,
   MirroredRepeatWrapping,
   NearestFilter,
   NearestMipmapLinearFilter,
@@ -67,6 +69,8 @@ export interface GltfParts {
   pictures: (Picture | undefined)[];
   /** Decoded pictures, by image index. */
   bitmaps: (DecodedPicture | undefined)[];
+  /** Whether both sides of all surfaces are drawn, whatever their materials say. */
+  hasBothSides: boolean;
 }
 
 /** The scene of a model, and its clips. */
@@ -82,7 +86,12 @@ export async function parseGltf(parts: GltfParts, signal?: AbortSignal): Promise
     .register((parser) => new PartsPlugin(parser, parts, slices))
     .register((parser) => new InstanceShapes(parser));
   const { scene, animations } = await loader.parseAsync(parts.json as never, '');
+  if (parts.hasBothSides) scene.traverse(drawBothSides);
   return { root: scene, animations };
+}
+
+function drawBothSides(object: Object3D): void {
+  for (const material of [(object as Partial<Mesh>).material ?? []].flat()) material.side = DoubleSide;
 }
 
 /** Supplies three's loader with the arrays and pictures that it would otherwise load. */

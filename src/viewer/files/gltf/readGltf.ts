@@ -72,6 +72,7 @@ export interface ReadGltf {
  *
  * @param options.variant material variant: its index, or as text its name or its number counted from 1
  * @param options.showsHidden whether nodes that are hidden in the file are shown
+ * @param options.hasBothSides whether both sides of all surfaces are drawn, whatever their materials say
  * @throws ModelError
  */
 export async function readGltf(
@@ -83,7 +84,12 @@ export async function readGltf(
     loadDraco = BITMAPS.loadDraco,
     variant,
     showsHidden = false,
-  }: Partial<Pick<Surroundings, 'loadDraco'>> & { variant?: string | number | undefined; showsHidden?: boolean } = {},
+    hasBothSides = false,
+  }: Partial<Pick<Surroundings, 'loadDraco'>> & {
+    variant?: string | number | undefined;
+    showsHidden?: boolean;
+    hasBothSides?: boolean;
+  } = {},
 ): Promise<ReadGltf> {
   const { text, binary } = isBinary
     ? splitGlb(bytes, name)
@@ -99,11 +105,12 @@ export async function readGltf(
   if (unread.length > 0) read.details.push(unreadDetail(unread));
   const glows = document.materials.some((material) => material?.emissiveFactor?.some((value) => value > 0));
   const isScene = plain.moves || isPictured || glows;
-  if (isScene && parts) return { ...read, content: parts };
+  if (isScene && parts) return { ...read, content: { ...parts, hasBothSides } };
   if (isScene) read.notes.push(`too large to be drawn ${plain.moves ? 'in motion' : 'with its pictures'}`);
-  const { root } = await parseGltf(withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []));
+  const still = withMaterials({ ...plain, json: { ...plain.json, animations: [] } }, document, []);
+  const { root } = await parseGltf({ ...still, hasBothSides });
   const toMesh = new Matrix4();
-  const content = mergeScene(root, undefined, toMesh, read.notes);
+  const content = mergeScene(root, undefined, toMesh, read.notes, true);
   return { ...read, content, extras: movedExtras(read.extras, toMesh) };
 }
 
@@ -174,6 +181,7 @@ function withMaterials(
     })),
     pictures,
     bitmaps: [],
+    hasBothSides: false,
   };
 }
 

@@ -12,11 +12,13 @@ export interface PlainMesh {
   indices: Uint32Array | null;
   /** Two components per vertex; only in meshes with pictures. */
   uvs?: Float32Array;
-  /** Contiguous ranges of corners by picture and opacity; only in meshes with pictures or see-through parts. */
+  /** Contiguous ranges of corners by picture, opacity and sides; only in meshes where these differ, or with pictures. */
   ranges?: PictureRange[];
+  /** Of a mesh without ranges, see `PictureRange`. */
+  isOneSided?: boolean;
 }
 
-/** Consecutive corners with the same picture and opacity. */
+/** Consecutive corners with the same picture, opacity and sides. */
 export interface PictureRange {
   start: number;
   count: number;
@@ -24,6 +26,8 @@ export interface PictureRange {
   picture: number;
   /** Whether the range is see-through, as glass is. */
   isSeeThrough?: boolean;
+  /** Whether only the fronts of its triangles are drawn, or both sides, as the file says; undefined if it does not say. */
+  isOneSided?: boolean;
 }
 
 /** A mesh, with notes for the caption on what was left out. */

@@ -85,5 +85,6 @@ export function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
     colors: mesh.colors && pick(mesh.colors, 3),
     indices: indices.map((vertex) => renumbered[vertex] - 1),
     ...(mesh.uvs && { uvs: pick(mesh.uvs, 2) }),
+    ...(mesh.isOneSided !== undefined && { isOneSided: mesh.isOneSided }),
   };
 }

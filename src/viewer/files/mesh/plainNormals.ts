@@ -72,6 +72,9 @@ function areAllSet(normals: Float32Array): boolean {
   return true;
 }
 
+/** Whether the back faces of a mesh are hidden before it is baked: by the file, or because it is closed. */
+export const hidesBacks = (mesh: PlainMesh): boolean => mesh.isOneSided ?? isClosed(mesh);
+
 /**
  * Whether the triangles of a mesh form a closed surface with consistent winding: each edge occurs as often in one direction as in the
  * other. Vertices are compared by index, so a mesh with seams counts as open. Each directed edge adds a hash that its reverse cancels; an

@@ -1,6 +1,7 @@
 import {
   type BufferGeometry,
   type Color,
+  DoubleSide,
   type Material,
   Matrix3,
   Matrix4,
@@ -24,14 +25,21 @@ import { resolveAlpha } from './resolveAlpha.js';
  * @param pictures if given, receives the textures of base colours, and the mesh has one range per texture; otherwise textures are left out
  * @param toMesh if given, receives the matrix from scene space to mesh space
  * @param notes if given, receives notes for the caption
+ * @param hasSides whether the materials say which sides are drawn
  * @throws ModelError if there are no triangles, or too many
  */
-export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: Matrix4, notes?: string[]): PlainMesh {
+export function mergeScene(
+  root: Object3D,
+  pictures?: WantedPicture[],
+  toMesh?: Matrix4,
+  notes?: string[],
+  hasSides = false,
+): PlainMesh {
   root.updateMatrixWorld(true);
   repairScene(root);
   const alphaNotes = resolveAlpha(root);
   notes?.push(...alphaNotes);
-  const parts = placedParts(root, pictures);
+  const parts = placedParts(root, pictures, hasSides);
   const toOrigin = nearOrigin(parts);
   if (toOrigin) toMesh?.copy(toOrigin);
   if (toOrigin) for (const part of parts) part.matrix = part.matrix.clone().premultiply(toOrigin);
@@ -59,12 +67,15 @@ export function mergeScene(root: Object3D, pictures?: WantedPicture[], toMesh?: 
     const end = writeIndices(part, piece, indices, corner);
     const last = ranges.at(-1);
     const { picture, isSeeThrough } = piece;
-    if (last?.picture === picture && Boolean(last.isSeeThrough) === isSeeThrough) last.count += end - corner;
-    else ranges.push({ start: corner, count: end - corner, picture, ...(isSeeThrough && { isSeeThrough }) });
+    const sides = hasSides && { isOneSided: piece.isOneSided };
+    if (last && rangeOf({ isSeeThrough: false, isOneSided: false, ...last }) === rangeOf(piece))
+      last.count += end - corner;
+    else ranges.push({ start: corner, count: end - corner, picture, ...(isSeeThrough && { isSeeThrough }), ...sides });
     corner = end;
   }
-  const hasRanges = uvs !== null || ranges.some(({ isSeeThrough }) => isSeeThrough);
-  return { positions, normals, colors, indices, ...(uvs && { uvs }), ...(hasRanges && { ranges }) };
+  const mesh = { positions, normals, colors, indices, ...(uvs && { uvs }) };
+  if (uvs || ranges.length > 1 || ranges.some(({ isSeeThrough }) => isSeeThrough)) return { ...mesh, ranges };
+  return hasSides ? { ...mesh, isOneSided: ranges[0].isOneSided } : mesh;
 }
 
 /** Corners of a mesh with one material. */
@@ -75,12 +86,15 @@ interface Piece {
   /** The index of its picture, or -1. */
   picture: number;
   isSeeThrough: boolean;
+  /** Whether only its front is drawn, where materials say it. */
+  isOneSided: boolean;
   /** The index of its first corner among those of all pieces. */
   first: number;
 }
 
-/** See-through pieces come last. */
-const rangeOf = ({ picture, isSeeThrough }: Piece): number => (isSeeThrough ? Number.MAX_SAFE_INTEGER : picture);
+/** The order of ranges. See-through pieces come last. */
+const rangeOf = ({ picture, isSeeThrough, isOneSided }: Pick<Piece, 'picture' | 'isSeeThrough' | 'isOneSided'>) =>
+  2 * (isSeeThrough ? 2 ** 32 : picture) + Number(isOneSided);
 
 /** A mesh with one of its matrices. */
 interface Part {
@@ -93,12 +107,12 @@ interface Part {
   vertexCount: number;
 }
 
-function placedParts(root: Object3D, pictures: WantedPicture[] | undefined): Part[] {
+function placedParts(root: Object3D, pictures: WantedPicture[] | undefined, hasSides: boolean): Part[] {
   const parts: Part[] = [];
   let firstVertex = 0;
   root.traverseVisible((object) => {
     if (!(object instanceof Mesh) || !object.geometry.getAttribute('position')) return;
-    const pieces = piecesOf(object, pictures);
+    const pieces = piecesOf(object, pictures, hasSides);
     const isUnshared = pieces.length > 1;
     const last = pieces.at(-1);
     const corners = last ? last.first + last.count : 0;
@@ -112,7 +126,7 @@ function placedParts(root: Object3D, pictures: WantedPicture[] | undefined): Par
 }
 
 /** The drawn corners by material. As in three.js, groups count only with an array of materials. */
-function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | undefined): Piece[] {
+function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | undefined, hasSides: boolean): Piece[] {
   const drawn = drawnCorners(geometry);
   const materials = Array.isArray(material) ? material : [material];
   const groups = Array.isArray(material) && geometry.groups.length > 0 ? geometry.groups : [{ ...drawn }];
@@ -130,6 +144,7 @@ function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | unde
       material: groupMaterial,
       picture: pictureOf(geometry, groupMaterial, pictures),
       isSeeThrough: groupMaterial?.transparent ?? false,
+      isOneSided: hasSides && groupMaterial?.side !== DoubleSide,
       first,
     });
     first += count;
@@ -276,14 +291,18 @@ function drawnCorners(geometry: BufferGeometry): { start: number; count: number 
   return { start, count: count - (count % 3) };
 }
 
-/** Copies the indices. A mirroring matrix reverses the winding, which is corrected. */
+/**
+ * Copies the indices. A mirroring matrix reverses the winding, which is corrected; of one-sided surfaces as in three.js, where instances
+ * have the winding of their mesh.
+ */
 function writeIndices(
-  { mesh: { geometry }, matrix, isUnshared, firstVertex }: Part,
-  { start, count, first }: Piece,
+  { mesh, matrix, isUnshared, firstVertex }: Part,
+  { start, count, first, isOneSided }: Piece,
   indices: Uint32Array,
   at: number,
 ): number {
-  const order = matrix.determinant() < 0 ? [0, 2, 1] : [0, 1, 2];
+  const { geometry } = mesh;
+  const order = (isOneSided ? mesh.matrixWorld : matrix).determinant() < 0 ? [0, 2, 1] : [0, 1, 2];
   const vertexCount = geometry.getAttribute('position').count;
   let to = at;
   for (let corner = 0; corner < count; corner += 3) {

@@ -1,4 +1,4 @@
-import { Vector3 } from 'three';
+import { DoubleSide, FrontSide, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
@@ -115,5 +115,37 @@ describe('the size of a model is that of its visible parts', () => {
       addTrack(builder, 'rotation', times, builder.accessor(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1), 'VEC4'));
     }
     expect(await drawnRadius(builder)).toBeCloseTo(Math.sqrt(3), 4);
+  });
+});
+
+describe('the sides of surfaces', () => {
+  /** The sides of the materials of two tetrahedrons without a floor, one of them in a material that says `doubleSided`. */
+  async function sidesOf(isMoving: boolean, hasBothSides = false): Promise<number[]> {
+    const builder = tetrahedron();
+    const { json } = builder;
+    json.accessors[json.meshes[0].primitives[0].indices].count = 9;
+    json.materials = [{ doubleSided: true }];
+    json.meshes.push({ primitives: [{ ...json.meshes[0].primitives[0], material: 0 }] });
+    json.nodes.push({ mesh: 1, translation: [3, 0, 0] });
+    json.scenes[0].nodes = [0, 1];
+    const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
+    const places = builder.accessor(Float32Array.of(0, 0, 0, 1, 0, 0), 'VEC3');
+    if (isMoving) addTrack(builder, 'translation', times, places);
+    const file = { name: 'sides.glb', content: new Blob([builder.glb() as Uint8Array<ArrayBuffer>]) };
+    const read = await readModel([file], () => {}, undefined, undefined, [], hasBothSides);
+    expect(read.changes.map(({ kind }) => kind)).toEqual(hasBothSides ? ['sides'] : []);
+    const { model } = await buildModel(read, () => {}, new AbortController().signal);
+    const sides = meshesOf(model.root).flatMap(({ material }) => [material].flat().map(({ side }) => side));
+    model.dispose();
+    return sides.toSorted();
+  }
+
+  test('are those of the file, also where it is drawn as one mesh', async () => {
+    for (const isMoving of [false, true]) expect(await sidesOf(isMoving)).toEqual([FrontSide, DoubleSide]);
+  });
+
+  test('are both where that is asked for', async () => {
+    expect(await sidesOf(true, true)).toEqual([DoubleSide, DoubleSide]);
+    expect(await sidesOf(false, true)).toEqual([DoubleSide]);
   });
 });

@@ -1,5 +1,16 @@
-import { BoxGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial } from 'three';
-import { expect, test } from 'vitest';
+import {
+  BoxGeometry,
+  DoubleSide,
+  Group,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  type Object3D,
+  PlaneGeometry,
+  Vector3,
+} from 'three';
+import { describe, expect, test } from 'vitest';
 import type { PlainMesh } from '../../../../../src/viewer/files/mesh/PlainMesh.js';
 import { mergeScene } from '../../../../../src/viewer/files/scenes/mergeScene.js';
 import { measure } from '../../../../../tools/modelFiles/modelWriters.js';
@@ -35,4 +46,48 @@ test('instances are placed relative to their mesh', () => {
     [8, 12],
     [-2, 2],
   ]);
+});
+
+describe('sides', () => {
+  const sheet = () => new PlaneGeometry();
+  const both = new MeshBasicMaterial({ side: DoubleSide });
+  const merged = (...meshes: Object3D[]) =>
+    mergeScene(new Group().add(...meshes), undefined, undefined, undefined, true);
+
+  test('are those of the materials, in ranges where they differ', () => {
+    const one = new Mesh(sheet(), new MeshBasicMaterial());
+    const glass = new Mesh(sheet(), new MeshBasicMaterial({ transparent: true, opacity: 0.5 }));
+    const double = new Mesh(sheet(), both);
+    expect(merged(one)).toMatchObject({ isOneSided: true });
+    expect(merged(double)).toMatchObject({ isOneSided: false });
+    expect(merged(one, double, one.clone(), glass).ranges).toEqual([
+      { start: 0, count: 6, picture: -1, isOneSided: false },
+      { start: 6, count: 12, picture: -1, isOneSided: true },
+      { start: 18, count: 6, picture: -1, isOneSided: true, isSeeThrough: true },
+    ]);
+    const unsaid = mergeScene(new Group().add(one.clone(), double.clone()));
+    expect([unsaid.isOneSided, unsaid.ranges]).toEqual([undefined, undefined]);
+  });
+
+  test('of mirrored meshes are turned as in three.js, and those of mirrored instances of one-sided ones are not', () => {
+    const frontOf = ({ positions, indices }: PlainMesh): number => {
+      const [a, b, c] = [0, 1, 2].map((k) => new Vector3().fromArray(positions, 3 * indices![k]));
+      return b.sub(a).cross(c.sub(a)).z;
+    };
+    const mirror = new Matrix4().makeScale(-1, 1, 1);
+    for (const [material, expected] of [
+      [new MeshBasicMaterial(), -1],
+      [both, 1],
+    ] as const) {
+      const instances = new InstancedMesh(sheet(), material, 1);
+      instances.setMatrixAt(0, mirror);
+      expect(frontOf(merged(instances))).toBe(expected);
+    }
+    const mesh = new Mesh(sheet(), new MeshBasicMaterial());
+    mesh.applyMatrix4(mirror);
+    expect(frontOf(merged(mesh))).toBe(1);
+    const nested = new Group().add(mesh);
+    nested.applyMatrix4(mirror);
+    expect(frontOf(merged(nested))).toBe(1);
+  });
 });
