@@ -6,6 +6,7 @@ import { baseName } from '../common/ModelFile.js';
 import type { FindFile } from '../common/Surroundings.js';
 import { withFakeDocument } from '../scenes/fakeDocument.js';
 import { DISPLACEMENT_NOTE, type LoadedScene } from '../scenes/LoadedScene.js';
+import type { NamedRun } from '../scenes/mergeScene.js';
 import { writeFaces } from './writeFaces.js';
 
 /** Reads an OBJ file, with the materials of its MTL files if they were dropped along. */
@@ -14,10 +15,12 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
   const text = decoder.decode(bytes);
   const { materials, missing } = await findMaterials(materialLibraries(text), findFile);
   const loader = new OBJLoader();
+  const written = writeFaces(cleanObj(text));
   const root = withFakeDocument(() => {
     if (materials) loader.setMaterials(new MTLLoader().parse(cleanMtl(materials), ''));
-    return loader.parse(writeFaces(cleanObj(text)));
+    return loader.parse(written);
   });
+  nameRuns(root, written);
   clamp(root, clampedMaterials(materials));
   return { root, missing, notes: otherThanFaces(text, materials) };
 }
@@ -59,7 +62,8 @@ async function findMaterials(
 }
 
 /**
- * Reduces an OBJ file to the lines of triangles that three's loader reads correctly: vertices, faces, smoothing groups and materials.
+ * Reduces an OBJ file to the lines of triangles that three's loader reads correctly: vertices, faces, smoothing groups and materials. Names
+ * of objects and groups become comments, see {@link nameRuns}.
  * Otherwise the loader takes words of comments for corners and faces next to lines or points for lines, and takes minutes for many groups.
  */
 function cleanObj(text: string): string {
@@ -72,8 +76,37 @@ function cleanObj(text: string): string {
       // Lines without numbers count too; without them, faces would get the wrong vertices.
       .replace(/^[ \t]*v[ \t]*$/gm, 'v nan nan nan')
       .replace(/^[ \t]*(v[tn])[ \t]*$/gm, '$1 0 0 0')
-      .replace(/^(?![ \t]*(?:v[tn]?|f|s)[ \t]|usemtl ).+$/gm, ''),
+      .replace(/^[ \t]*#.*$/gm, '')
+      .replace(/^[ \t]*([og])(?:[ \t]+(.*?))?[ \t]*$/gm, '#$1 $2')
+      .replace(/^(?![ \t]*(?:v[tn]?|f|s)[ \t]|usemtl |#[og] ).+$/gm, ''),
   );
+}
+
+/** Names of groups that say nothing. */
+const NO_GROUP = /^(default|off|\(null\)|null)?$/i;
+
+/**
+ * Gives the only mesh of an OBJ file its named runs of triangles, by the comments that `cleanObj` has made of the names of its objects and
+ * groups. Does nothing if there are fewer than two names.
+ */
+function nameRuns(root: Object3D, text: string): void {
+  const [mesh, ...others] = root.getObjectsByProperty('isMesh', true);
+  if (!mesh || others.length > 0 || !text.includes('#')) return;
+  const runs: NamedRun[] = [{ start: 0, name: '' }];
+  let [object, group, corners] = ['', '', 0];
+  for (const [line, word, name = ''] of text.matchAll(/^(?:#([og])(?:[ \t](.*))?|[ \t]*f[ \t].*)$/gm)) {
+    if (word === undefined) {
+      corners += 3 * Math.max(0, line.trim().split(/[ \t]+/).length - 3);
+      continue;
+    }
+    if (word === 'o') [object, group] = [name, ''];
+    else group = NO_GROUP.test(name) ? '' : name;
+    const whole = object && group && !group.startsWith(object) ? `${object}: ${group}` : group || object;
+    const last = runs[runs.length - 1];
+    if (last.start === corners) last.name = whole;
+    else if (last.name !== whole) runs.push({ start: corners, name: whole });
+  }
+  if (new Set(runs.map(({ name }) => name)).size > 1) mesh.userData.runs = runs;
 }
 
 /** Makes vertices without a colour white where others have one. Otherwise three's loader assigns colours to the wrong vertices. */

@@ -16,6 +16,16 @@ export interface PlainMesh {
   ranges?: PictureRange[];
   /** Of a mesh without ranges, see `PictureRange`. */
   isOneSided?: boolean;
+  /** The parts of the file that the mesh was joined from; only where there are several. */
+  parts?: MeshParts;
+}
+
+/** The parts of a file that were joined to one mesh. Triangles of different parts share no vertices. */
+export interface MeshParts {
+  /** The name of each part, as users see it. */
+  names: readonly string[];
+  /** The index of the part that each vertex belongs to. */
+  ofVertices: Uint32Array;
 }
 
 /** Consecutive corners with the same picture, opacity and sides. */
@@ -43,7 +53,7 @@ export function triangleCount(mesh: PlainMesh): number {
 
 /** The buffers to transfer with a mesh. */
 export function meshBuffers(mesh: PlainMesh): ArrayBuffer[] {
-  const arrays = [mesh.positions, mesh.normals, mesh.colors, mesh.indices, mesh.uvs];
+  const arrays = [mesh.positions, mesh.normals, mesh.colors, mesh.indices, mesh.uvs, mesh.parts?.ofVertices];
   return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
 }
 

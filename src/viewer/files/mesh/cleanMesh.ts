@@ -68,10 +68,10 @@ export function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
   for (const vertex of indices) renumbered[vertex] = 1;
   let count = 0;
   for (let vertex = 0; vertex < vertexCount; vertex++) if (renumbered[vertex]) renumbered[vertex] = ++count;
-  const pick = (source: Float32Array, size: number): Float32Array => {
+  const pick = <Values extends Float32Array | Uint32Array>(source: Values, size: number): Values => {
     if (count === vertexCount)
-      return source.length === size * vertexCount ? source : source.slice(0, size * vertexCount);
-    const picked = new Float32Array(size * count);
+      return source.length === size * vertexCount ? source : (source.slice(0, size * vertexCount) as Values);
+    const picked = new (source.constructor as new (length: number) => Values)(size * count);
     for (let vertex = 0; vertex < vertexCount; vertex++) {
       const from = size * vertex;
       const to = size * (renumbered[vertex] - 1);
@@ -86,5 +86,6 @@ export function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
     indices: indices.map((vertex) => renumbered[vertex] - 1),
     ...(mesh.uvs && { uvs: pick(mesh.uvs, 2) }),
     ...(mesh.isOneSided !== undefined && { isOneSided: mesh.isOneSided }),
+    ...(mesh.parts && { parts: { ...mesh.parts, ofVertices: pick(mesh.parts.ofVertices, 1) } }),
   };
 }

@@ -33,6 +33,7 @@ export function orientMesh(mesh: PlainMesh): { mesh: PlainMesh; turned: number }
       normals,
       colors: mesh.colors && withCopies(mesh.colors, copies, 3),
       ...(mesh.uvs && { uvs: withCopies(mesh.uvs, copies, 2) }),
+      ...(mesh.parts && { parts: { ...mesh.parts, ofVertices: withCopies(mesh.parts.ofVertices, copies, 1) } }),
       indices,
     },
     turned,
@@ -60,8 +61,15 @@ function shareNoVertices(indices: Uint32Array, isTurned: Uint8Array, vertexCount
   return copies;
 }
 
-function withCopies(values: Float32Array, copies: readonly number[], size: number): Float32Array<ArrayBuffer> {
-  const all = new Float32Array(values.length + size * copies.length);
+type Owned<Values> = Values extends Float32Array ? Float32Array<ArrayBuffer> : Uint32Array<ArrayBuffer>;
+
+function withCopies<Values extends Float32Array | Uint32Array>(
+  values: Values,
+  copies: readonly number[],
+  size: number,
+): Owned<Values> {
+  const length = values.length + size * copies.length;
+  const all = new (values.constructor as new (length: number) => Owned<Values>)(length);
   all.set(values);
   for (const [i, vertex] of copies.entries()) {
     all.set(values.subarray(size * vertex, size * (vertex + 1)), values.length + size * i);

@@ -12,15 +12,18 @@ import {
   Vector3,
 } from 'three';
 import { placements } from '../../drawing/meshes.js';
+import { partNames } from '../common/partNames.js';
 import { FAR } from '../mesh/fitModel.js';
-import { checkReadTriangles, type PictureRange, type PlainMesh } from '../mesh/PlainMesh.js';
+import { checkReadTriangles, type MeshParts, type PictureRange, type PlainMesh } from '../mesh/PlainMesh.js';
 import type { PictureLink, WantedPicture } from '../pictures/meshPictures.js';
+import { materialName, meshNames } from './meshNames.js';
 import { repairScene } from './repairGeometry.js';
 import { resolveAlpha } from './resolveAlpha.js';
 
 /**
  * Merges all meshes below `root`, in their places and saved poses, to one mesh, which needs one bake and one draw call. Colours of
- * materials and vertices become vertex colours; non-finite values are repaired. See-through parts get their own ranges.
+ * materials and vertices become vertex colours; non-finite values are repaired. See-through parts get their own ranges. Meshes are the
+ * parts of the result; those of a scene of one mesh are its named runs of triangles, or else its materials.
  *
  * @param pictures if given, receives the textures of base colours, and the mesh has one range per texture; otherwise textures are left out
  * @param toMesh if given, receives the matrix from scene space to mesh space
@@ -73,16 +76,29 @@ export function mergeScene(
     else ranges.push({ start: corner, count: end - corner, picture, ...(isSeeThrough && { isSeeThrough }), ...sides });
     corner = end;
   }
-  const mesh = { positions, normals, colors, indices, ...(uvs && { uvs }) };
-  if (uvs || ranges.length > 1 || ranges.some(({ isSeeThrough }) => isSeeThrough)) return { ...mesh, ranges };
-  return hasSides ? { ...mesh, isOneSided: ranges[0].isOneSided } : mesh;
+  const hasRanges = uvs !== null || ranges.length > 1 || ranges.some(({ isSeeThrough }) => isSeeThrough);
+  const named = namedParts(parts, vertexCount, root);
+  return {
+    ...{ positions, normals, colors, indices },
+    ...(uvs && { uvs }),
+    ...(hasRanges ? { ranges } : hasSides && { isOneSided: ranges[0].isOneSided }),
+    ...(named && { parts: named }),
+  };
 }
 
-/** Corners of a mesh with one material. */
+/** Consecutive triangles of a mesh that have a name in the file, from a corner on up to the next run. */
+export interface NamedRun {
+  start: number;
+  name: string;
+}
+
+/** Corners of a mesh with one material, and in one named run. */
 interface Piece {
   start: number;
   count: number;
   material: Material | undefined;
+  /** The name of its run; undefined for a mesh without runs. */
+  run: string | undefined;
   /** The index of its picture, or -1. */
   picture: number;
   isSeeThrough: boolean;
@@ -126,7 +142,11 @@ function placedParts(root: Object3D, pictures: WantedPicture[] | undefined, hasS
 }
 
 /** The drawn corners by material. As in three.js, groups count only with an array of materials. */
-function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | undefined, hasSides: boolean): Piece[] {
+function piecesOf(
+  { geometry, material, userData }: Mesh,
+  pictures: WantedPicture[] | undefined,
+  hasSides: boolean,
+): Piece[] {
   const drawn = drawnCorners(geometry);
   const materials = Array.isArray(material) ? material : [material];
   const groups = Array.isArray(material) && geometry.groups.length > 0 ? geometry.groups : [{ ...drawn }];
@@ -138,18 +158,74 @@ function piecesOf({ geometry, material }: Mesh, pictures: WantedPicture[] | unde
     const count = available - (available % 3);
     const groupMaterial = materials[group.materialIndex ?? 0] as Material | undefined;
     if (!(count > 0) || groupMaterial?.visible === false) continue;
-    pieces.push({
-      start,
-      count,
-      material: groupMaterial,
-      picture: pictureOf(geometry, groupMaterial, pictures),
-      isSeeThrough: groupMaterial?.transparent ?? false,
-      isOneSided: hasSides && groupMaterial?.side !== DoubleSide,
-      first,
-    });
-    first += count;
+    const picture = pictureOf(geometry, groupMaterial, pictures);
+    const isSeeThrough = groupMaterial?.transparent ?? false;
+    const isOneSided = hasSides && groupMaterial?.side !== DoubleSide;
+    for (const run of runsIn(userData.runs, start, count)) {
+      pieces.push({ ...run, material: groupMaterial, picture, isSeeThrough, isOneSided, first });
+      first += run.count;
+    }
   }
   return pieces;
+}
+
+/** Splits a range of corners by named runs. @param runs in rising order, the first of which begins at 0 */
+function runsIn(
+  runs: readonly NamedRun[] | undefined,
+  start: number,
+  count: number,
+): Pick<Piece, 'start' | 'count' | 'run'>[] {
+  if (!runs) return [{ start, count, run: undefined }];
+  const found: Pick<Piece, 'start' | 'count' | 'run'>[] = [];
+  for (let i = lastAtOrBefore(runs, start); i < runs.length && runs[i].start < start + count; i++) {
+    const from = Math.max(runs[i].start, start);
+    const to = Math.min(runs[i + 1]?.start ?? Infinity, start + count);
+    if (to > from) found.push({ start: from, count: to - from, run: runs[i].name });
+  }
+  return found;
+}
+
+/** The index of the last run that begins at or before a corner. */
+function lastAtOrBefore(runs: readonly NamedRun[], corner: number): number {
+  let low = 0;
+  for (let high = runs.length; high - low > 1; ) {
+    const middle = (low + high) >> 1;
+    if (runs[middle].start <= corner) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+/** The named parts of a merged scene; undefined if there are fewer than two. */
+function namedParts(placed: readonly Part[], vertexCount: number, root: Object3D): MeshParts | undefined {
+  const drawn = placed.filter(({ pieces }) => pieces.length > 0);
+  const meshes = [...new Set(drawn.map(({ mesh }) => mesh))];
+  const names = meshNames(root, meshes);
+  const ofMeshes = new Map(meshes.map((mesh, i) => [mesh, i]));
+  const keyOf = (mesh: Mesh, { run, material }: Piece): string | number => {
+    if (run !== undefined) return run;
+    return meshes.length === 1 ? (material?.uuid ?? '') : ofMeshes.get(mesh)!;
+  };
+  const nameOf = (mesh: Mesh, { run, material }: Piece): string => {
+    if (run !== undefined) return run;
+    return meshes.length === 1 ? materialName(material) : names[ofMeshes.get(mesh)!];
+  };
+  const indices = new Map<string, number>();
+  const found: string[] = [];
+  const ofVertices = new Uint32Array(vertexCount);
+  for (const { mesh, pieces, isUnshared, firstVertex, vertexCount: count } of drawn) {
+    for (const piece of pieces) {
+      const key = `${ofMeshes.get(mesh)} ${keyOf(mesh, piece)}`;
+      let index = indices.get(key);
+      if (index === undefined) {
+        index = found.push(nameOf(mesh, piece)) - 1;
+        indices.set(key, index);
+      }
+      const first = firstVertex + (isUnshared ? piece.first : 0);
+      ofVertices.fill(index, first, first + (isUnshared ? piece.count : count));
+    }
+  }
+  return found.length > 1 ? { names: partNames(found), ofVertices } : undefined;
 }
 
 function pictureOf(
