@@ -24,7 +24,8 @@ export interface HatchingPreset {
 }
 
 /** Options of `applyHatching`. They include those of `prepareHatchingGeometry`, which apply to every mesh. */
-export interface ApplyHatchingOptions extends Omit<PrepareHatchingGeometryOptions, 'outlines' | 'technique'> {
+export interface ApplyHatchingOptions
+  extends Omit<PrepareHatchingGeometryOptions, 'orient' | 'outlines' | 'technique'> {
   /**
    * The preset to start from, by name or as an object: it sets the material, outlines and map. The other options override it; the
    * parameters in `material` and `outlines` do so one by one. Default: no preset.

@@ -14,6 +14,7 @@ const OF_TASKS: Readonly<Partial<Record<keyof BakingTasks, keyof typeof FETCH>>>
   simplifyHatched: 'scene',
   startOcclusion: 'scene',
   addDirections: 'scene',
+  orientChecked: 'scene',
 };
 
 /**

@@ -24,6 +24,7 @@ const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   simplifyHatched: buffersIn,
   startOcclusion: buffersIn,
   addDirections: buffersIn,
+  orientChecked: buffersIn,
 };
 
 /** The tasks that bake geometry and draw the images of maps. */

@@ -34,7 +34,7 @@ export const OFFERS = {
     'occlusion/OcclusionScene.ts',
     'occlusion/startOcclusion.ts',
     'orientation/orientTriangles.ts',
-    'computeAreaNormals.ts',
+    'orientation/turnTriangles.ts',
   ],
   strokes: [
     'blurToroidal.ts',

@@ -57,6 +57,13 @@ export interface PrepareHatchingGeometryOptions extends TaskOptions {
    * Default: false; `applyHatching` bakes them if a material needs them.
    */
   form?: boolean | 'auto' | HatchingFormOptions | undefined;
+  /**
+   * Whether to turn triangles that face the wrong way, as in files that were made without regard to it: patches whose windings contradict
+   * each other, closed surfaces that face inward, and open ones that are seen from their back. Walls of cavities, rooms around other parts,
+   * and surfaces that are seen as much from one side as from the other are left as they are. Normals that then point to the back are
+   * reversed; a vertex that is shared by a turned and another triangle is copied. Default: false, which trusts the winding.
+   */
+  orient?: boolean | undefined;
 }
 
 /** Decides which edges are drawn as creases. */
@@ -84,7 +91,7 @@ const PREPARE_OPTIONS = {
   weldTolerance: true,
   outlines: true,
   form: true,
-} satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions | 'technique'>, true>;
+} satisfies Record<Exclude<keyof PrepareHatchingGeometryOptions, keyof TaskOptions | 'orient' | 'technique'>, true>;
 
 /**
  * Checks the names of the options, and the values of those that all tasks share.

@@ -105,7 +105,7 @@ function setKeptAttribute(
 }
 
 /** Creates an attribute from words, with the type, normalisation and GPU type of `source`. */
-function attributeFromWords(source: VertexAttribute, words: Words): BufferAttribute {
+export function attributeFromWords(source: VertexAttribute, words: Words): BufferAttribute {
   const { itemSize, normalized } = source;
   const ArrayType = source.array.constructor as new (buffer: ArrayBuffer) => Float32Array;
   const array = new ArrayType(words.buffer);

@@ -4,7 +4,7 @@ import { needsAdjacency } from '../../look/queries.js';
 import type { BakeRequest } from '../../mesh/bake/bakeCorners.js';
 import type { OutlineRequest } from '../../mesh/bake/bakeOutlines.js';
 import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
-import type { VertexWords } from '../../mesh/bake/vertexWords.js';
+import { appendVertices, type VertexWords } from '../../mesh/bake/vertexWords.js';
 import type { FormField } from '../../mesh/form/FormField.js';
 import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
 import { runTask } from '../../worker/runTask.js';
@@ -103,7 +103,7 @@ export async function prepareWithForm(
   options: PrepareHatchingGeometryOptions,
   bakedForm: FormField | null,
 ): Promise<BufferGeometry> {
-  checkPrepareOptions('prepareHatchingGeometry', options, { technique: true });
+  checkPrepareOptions('prepareHatchingGeometry', options, { orient: true, technique: true });
   options.signal?.throwIfAborted();
   const creaseAngle = options.creaseAngle ?? DEFAULT_CREASE_ANGLE;
   checkValues(options, creaseAngle);
@@ -112,19 +112,26 @@ export async function prepareWithForm(
   const kept = keptAttributes(geometry);
   const position = geometry.attributes.position;
   const prepared = startGeometry(geometry, range);
-  const source = extractSource(geometry, range, kept);
-  const { mesh, copied, ...repairs } = source;
-  const own: NotBaked = { ...repairs, createWorker: options.createWorker };
-  const layout = chooseLayout(geometry, mesh.indices.length / 3, options);
+  const extracted = extractSource(geometry, range, kept);
+  const layout = chooseLayout(geometry, extracted.mesh.indices.length / 3, options);
   const isUnchanged = rememberSource(geometry);
-  const extractAgain = () => {
+  const extractUnturned = () => {
     if (!isUnchanged()) throw new Error(`${label} was changed while it was being prepared.`);
     return extractSource(geometry, range, kept);
   };
 
   const place = { name: 'position', isMorphTarget: false, attribute: position };
-  const positions = layout === 'indexed' ? extractWords(position, position.count) : null;
+  const unturnedPositions = layout === 'indexed' ? extractWords(position, position.count) : null;
   // From here on the geometry may change.
+  const turn = options.orient ? await turning(label, extracted, kept, options, extractUnturned) : leaveSource;
+  const source = turn(extracted);
+  const extractAgain = () => turn(extractUnturned());
+  const { mesh, copied, copies, ...repairs } = source;
+  const own: NotBaked = { ...repairs, createWorker: options.createWorker };
+  const positions = unturnedPositions && {
+    ...unturnedPositions,
+    words: copies ? appendVertices(unturnedPositions, copies) : unturnedPositions.words,
+  };
   const request = {
     label,
     creaseAngle,
@@ -165,6 +172,28 @@ interface ExtractedSource extends Repairs {
   mesh: TriangleMesh;
   /** The values of every kept attribute. */
   copied: VertexWords[];
+  /** The vertices whose copies follow the others. Undefined for none. */
+  copies?: Uint32Array<ArrayBuffer>;
+}
+
+type Turn = (source: ExtractedSource) => ExtractedSource;
+
+const leaveSource: Turn = (source) => source;
+
+/** Finds the triangles of a source that face the wrong way, in the worker. Resolves with a function that turns them. */
+async function turning(
+  label: string,
+  { mesh: { positions, indices } }: ExtractedSource,
+  kept: readonly KeptAttribute[],
+  { signal, createWorker }: PrepareHatchingGeometryOptions,
+  extractAgain: () => ExtractedSource,
+): Promise<Turn> {
+  const request = { label, mesh: { positions: positions.slice(), indices: indices.slice() } };
+  const again = () => ({ label, mesh: extractAgain().mesh });
+  const finding = runTask('orientChecked', request, { signal, createWorker }, again);
+  const [{ turnSource }, isTurned] = await Promise.all([import('./turnSource.js'), finding]);
+  const turnedTriangles = isTurned.reduce((sum, one) => sum + one, 0);
+  return turnedTriangles === 0 ? leaveSource : (source) => ({ ...turnSource(source, kept, isTurned), turnedTriangles });
 }
 
 function extractSource(geometry: BufferGeometry, range: CornerRange, kept: readonly KeptAttribute[]): ExtractedSource {
@@ -175,7 +204,8 @@ function extractSource(geometry: BufferGeometry, range: CornerRange, kept: reado
     zeroedValues += zeroBadValues(geometry, entry, copy);
     return copy;
   });
-  return { mesh, copied, computedNormals: countUnusableNormals(geometry, mesh.indices), zeroedValues };
+  const computedNormals = countUnusableNormals(geometry, mesh.indices);
+  return { mesh, copied, computedNormals, zeroedValues, turnedTriangles: 0 };
 }
 
 function outlineRequest(
@@ -201,10 +231,16 @@ const wantsAdjacency = ({ adjacency = false, technique }: PrepareHatchingGeometr
   adjacency || (technique !== undefined && needsAdjacency({ technique }));
 
 function checkValues(options: PrepareHatchingGeometryOptions, creaseAngle: number): void {
-  const { adjacency = false, technique, layout = 'auto', smoothingRadius, weldTolerance, outlines } = options;
+  const { adjacency = false, orient = false, technique, layout = 'auto', outlines } = options;
+  const { smoothingRadius, weldTolerance } = options;
   if (typeof adjacency !== 'boolean') {
     throw new TypeError(
       `prepareHatchingGeometry: adjacency is ${String(adjacency)}. Pass true or false, or leave the option out.`,
+    );
+  }
+  if (typeof orient !== 'boolean') {
+    throw new TypeError(
+      `prepareHatchingGeometry: orient is ${String(orient)}. Pass true or false, or leave the option out.`,
     );
   }
   if (technique !== undefined && !Object.hasOwn(HATCHING_TECHNIQUES, technique)) {

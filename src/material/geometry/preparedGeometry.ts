@@ -39,7 +39,7 @@ export function finishGeometry(
   applyBounds(geometry, report);
   const outlines = report.outlines && new OutlineData(report.outlines, report.createWorker);
   const { borderEdges, nonManifoldEdges, unpairedEdges, inconsistentEdges, degenerateTriangles } = report;
-  const { computedNormals, zeroedValues } = report;
+  const { computedNormals, turnedTriangles, zeroedValues } = report;
   const statistics: HatchingStatistics = {
     triangles: (geometry.index ?? geometry.attributes.position).count / 3,
     borderEdges,
@@ -49,6 +49,7 @@ export function finishGeometry(
     degenerateTriangles,
     computedNormals,
     zeroedValues,
+    turnedTriangles,
     layout,
     direction: isFormed(geometry) ? 'form' : 'light',
     bytes: bytesOf(geometry) + textureBytes + (outlines?.bytes ?? 0),

@@ -14,6 +14,8 @@ export interface Repairs {
    * finite. They became 0; in morph targets that are not relative they became the value of the unmorphed vertex.
    */
   zeroedValues: number;
+  /** The number of triangles that were turned, with `orient`. */
+  turnedTriangles: number;
 }
 
 /** The attributes that the shaders of three.js read. All others are kept as they are. */

@@ -13,7 +13,7 @@ export interface Patches {
   /** The patch of each triangle, or `NO_PATCH`. */
   patchOf: Uint32Array;
   /** For each triangle 1 if it must be turned so that its patch is consistent. The greater part of a patch, by area, stays as it is. */
-  turned: Uint8Array;
+  turned: Uint8Array<ArrayBuffer>;
   /** For each patch, whether every edge has exactly two triangles, and all windings agree after turning. */
   isClosed: boolean[];
   /** The area of each patch, twice. */

@@ -1,6 +1,6 @@
 import { computeAreaNormals } from '../computeAreaNormals.js';
 import { asPhase } from '../phases.js';
-import type { TriangleMesh } from '../TriangleMesh.js';
+import { type TriangleMesh, validateTriangleMesh } from '../TriangleMesh.js';
 import { weldPositions } from '../weldPositions.js';
 import { consistentPatches, NO_PATCH, type Patches } from './consistentPatches.js';
 import { type SideVotes, sideVotes } from './sideVotes.js';
@@ -32,7 +32,7 @@ interface Part {
  *
  * @returns for each triangle 1 if two of its corners are to be exchanged
  */
-export function* orientTriangles(mesh: TriangleMesh): Generator<number, Uint8Array, void> {
+export function* orientTriangles(mesh: TriangleMesh): Generator<number, Uint8Array<ArrayBuffer>, void> {
   const { canonical } = yield* asPhase(weldPositions(mesh.positions), 0, 0.1);
   const areaNormals = yield* asPhase(computeAreaNormals(mesh), 0.1, 0.15);
   const canonicalCorners = mesh.indices.map((vertex) => canonical[vertex]);
@@ -50,6 +50,19 @@ export function* orientTriangles(mesh: TriangleMesh): Generator<number, Uint8Arr
   }
   yield 1;
   return turned;
+}
+
+/**
+ * `orientTriangles` for a mesh that was not checked. Throws a RangeError for one that cannot be baked.
+ *
+ * @param request.label start of messages
+ */
+export function* orientChecked(request: {
+  mesh: TriangleMesh;
+  label: string;
+}): Generator<number, Uint8Array<ArrayBuffer>, void> {
+  yield* asPhase(validateTriangleMesh(request.mesh, request.label), 0, 0.05);
+  return yield* asPhase(orientTriangles(request.mesh), 0.05, 1);
 }
 
 /** Whether an open patch is seen from its back, and clearly less from its front. */

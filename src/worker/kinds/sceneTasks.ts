@@ -2,11 +2,13 @@ import { loadSimplifier } from '../../mesh/detail/loadSimplifier.js';
 import { simplifyHatched } from '../../mesh/detail/simplifyHatched.js';
 import { addDirections } from '../../mesh/occlusion/addDirections.js';
 import { startOcclusion } from '../../mesh/occlusion/startOcclusion.js';
+import { orientChecked } from '../../mesh/orientation/orientTriangles.js';
 import { task } from './task.js';
 
-/** The tasks for scenes that are hatched: occlusion and levels of detail. */
+/** The tasks for scenes that are hatched, and those that few pages need: occlusion, levels of detail, orientation. */
 export const sceneTasks = {
   simplifyHatched: /* @__PURE__ */ task(simplifyHatched, ({ simplifier }) => loadSimplifier(simplifier)),
   startOcclusion: /* @__PURE__ */ task(startOcclusion),
   addDirections: /* @__PURE__ */ task(addDirections),
+  orientChecked: /* @__PURE__ */ task(orientChecked),
 };

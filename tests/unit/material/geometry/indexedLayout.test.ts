@@ -78,6 +78,7 @@ describe('the prepared geometry', () => {
       degenerateTriangles: 0,
       computedNormals: 4,
       zeroedValues: 0,
+      turnedTriangles: 0,
       layout: 'indexed',
       direction: 'light',
       bytes: 6 * (12 + 12 + 8) + 6 * 2,

@@ -77,6 +77,7 @@ describe('the prepared geometry', () => {
       degenerateTriangles: 0,
       computedNormals: 4,
       zeroedValues: 0,
+      turnedTriangles: 0,
       layout: 'corner',
       direction: 'light',
       bytes: 6 * ((3 + 16 + 3) * 4 + 8),
