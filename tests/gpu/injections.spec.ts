@@ -1,6 +1,5 @@
-import { readdirSync, readFileSync } from 'node:fs';
-import { sharedNames, withShortLocals } from '../../tools/building/shortLocals.js';
-import { shortened } from '../../tools/building/shortShaders.js';
+import { readFileSync } from 'node:fs';
+import { asShipped } from '../../tools/building/shortShaders.js';
 import { expect } from '../browser/test.js';
 import { test } from './toolkitPage.js';
 
@@ -113,13 +112,6 @@ test('docs/material.md promises the places that are tested', () => {
   const promised = [...section.matchAll(/^\| `([^`]+)` \|/gm)].map(([, place]) => place);
   expect(INJECTIONS.map(({ place }) => place)).toEqual(promised);
 });
-
-const shared = sharedNames(
-  readdirSync('shaders', { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile())
-    .map(({ parentPath, name }) => shortened(readFileSync(`${parentPath}/${name}`, 'utf8'))),
-);
-const asShipped = (text: string): string => withShortLocals(shortened(text), shared);
 
 for (const technique of TECHNIQUES) {
   test(`code of users at each promised place: ${technique}`, async ({ page }) => {

@@ -4,13 +4,20 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 import { sharedNames, withShortLocals } from './shortLocals.js';
+import { shortNames, withShortNames, wordsIn } from './shortNames.js';
 
-const FOLDER = fileURLToPath(new URL('../../shaders', import.meta.url));
+const inRoot = (path: string): string => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+const FOLDER = inRoot('shaders');
+/** Code that writes parts of shaders, and the parts of three.js in the versions that the library draws with. */
+const BESIDE = [
+  ...['src/material', 'src/look'],
+  ...['three', 'three-middle', 'three-oldest'].map((version) => `node_modules/${version}/src/renderers`),
+];
 const IS_SHADER = /\.(glsl|vert|frag)$/;
 
 /**
- * Shaders without comments, indentation and most spaces, and with local names of one letter: three.js shows a program's text where it fails,
- * and ships it everywhere else.
+ * Shaders without comments, indentation and most spaces, and with short names for what only they know: three.js shows a program's text where
+ * it fails, and ships it everywhere else.
  */
 export const shortShaders: Plugin = {
   name: 'short-shaders',
@@ -19,17 +26,34 @@ export const shortShaders: Plugin = {
   async load(id) {
     const [path, query] = id.split('?');
     if (query !== 'raw' || !IS_SHADER.test(path)) return null;
-    shared ??= sharedNames(allShaders());
-    return `export default ${JSON.stringify(withShortLocals(shortened(await readFile(path, 'utf8')), shared))};`;
+    return `export default ${JSON.stringify(asShipped(await readFile(path, 'utf8')))};`;
   },
 };
 
-let shared: ReadonlySet<string> | undefined;
+/** A shader as pages get it. */
+export function asShipped(text: string): string {
+  names ??= allNames();
+  return withShortNames(withShortLocals(shortened(text), names.shared), names.short);
+}
 
-const allShaders = (): string[] =>
-  readdirSync(FOLDER, { recursive: true, encoding: 'utf8' })
-    .filter((path) => IS_SHADER.test(path))
-    .map((path) => shortened(readFileSync(join(FOLDER, path), 'utf8')));
+interface Names {
+  /** Names that functions may share with what lies in other files. */
+  readonly shared: ReadonlySet<string>;
+  readonly short: ReadonlyMap<string, string>;
+}
+
+let names: Names | undefined;
+
+function allNames(): Names {
+  const shaders = textsIn(FOLDER, IS_SHADER).map(shortened);
+  const code = BESIDE.flatMap((folder) => textsIn(inRoot(folder), /\.[jt]s$/));
+  return { shared: sharedNames(shaders), short: shortNames(shaders, new Set(code.flatMap(wordsIn))) };
+}
+
+const textsIn = (folder: string, kind: RegExp): string[] =>
+  readdirSync(folder, { recursive: true, encoding: 'utf8' })
+    .filter((path) => kind.test(path))
+    .map((path) => readFileSync(join(folder, path), 'utf8'));
 
 /** The same program in fewer characters. Every directive keeps its line. */
 export function shortened(text: string): string {
