@@ -3,17 +3,26 @@
 // keep their lights.
 uniform float occlusion; // strength of ambient occlusion
 
+// The baked occlusion of the side that is seen.
+float occluded() {
+  #ifdef DOUBLE_SIDED
+    return gl_FrontFacing ? vOcclusion.x : vOcclusion.y;
+  #else
+    return vOcclusion;
+  #endif // DOUBLE_SIDED
+}
+
 float openToSky() {
-  return 1.0 - occlusion * vOcclusion;
+  return 1.0 - occlusion * occluded();
 }
 
 float openToLights() {
-  return 1.0 - occlusion * vOcclusion * smoothstep(0.0, CAVITY, vOcclusion);
+  return 1.0 - occlusion * occluded() * smoothstep(0.0, CAVITY, occluded());
 }
 
 // Deep hollows are the darkest places of a drawing, lit or not.
 uniform float hollowStrength; // their tone
 
 float hollowness() {
-  return hollowStrength * occlusion * smoothstep(HOLLOW.x, HOLLOW.y, vOcclusion);
+  return hollowStrength * occlusion * smoothstep(HOLLOW.x, HOLLOW.y, occluded());
 }

@@ -52,7 +52,7 @@ export class OcclusionBake {
   /**
    * Writes the occlusion of each mesh, except meshes that have another geometry by now.
    *
-   * @param occlusions for each mesh, the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it)
+   * @param occlusions for each mesh, the component of `hatchNormal` of each vertex
    * @internal
    */
   write(occlusions: readonly Int16Array[], directions: number): void {
@@ -87,8 +87,7 @@ function withOcclusionOfItsOwn(source: BufferGeometry): BufferGeometry {
 function writeOcclusion({ attributes }: BufferGeometry, occlusion: Int16Array | null): void {
   const attribute = attributes[hatchNormal.name] as BufferAttribute;
   const { array } = attribute;
-  // The values are negative, because WebGL reads 1 if the attribute is missing, and that must not darken anything.
-  for (let i = 3, vertex = 0; i < array.length; i += 4, vertex++) array[i] = occlusion ? -occlusion[vertex] : 0;
+  for (let i = 3, vertex = 0; i < array.length; i += 4, vertex++) array[i] = occlusion ? occlusion[vertex] : 0;
   attribute.needsUpdate = true;
 }
 

@@ -1,4 +1,4 @@
-import { BackSide, type Mesh, type Object3D, type Vector3 } from 'three';
+import { BackSide, FrontSide, type Mesh, type Object3D, type Vector3 } from 'three';
 import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { checkGeometry } from '../material/geometry/checkGeometry.js';
 import { copyVectors, cornerRange, extractMesh } from '../material/geometry/extractMesh.js';
@@ -55,6 +55,7 @@ const START_SHARE = 0.05;
  * - Every mesh at or below `root` whose geometry comes from `prepareHatchingGeometry` or `applyHatching` receives occlusion. All
  *   visible meshes at or below `root` occlude, with their fronts and backs, except `transparent` ones. Instances, batches, lines
  *   and points take no part.
+ * - Each side that is drawn, as `side` of the materials says, gets the occlusion of its own.
  * - Meshes are baked where they are at the time of the call, skins and morph targets at rest. Bake again after a change.
  * - Meshes that share a geometry each get a clone of it, which shares all but eight bytes per vertex. A mesh elsewhere with the
  *   same geometry shows the same occlusion.
@@ -163,14 +164,21 @@ function readerOf(mesh: Mesh, receives: boolean, occludes: boolean): MeshReader 
   const { geometry } = mesh;
   const range = cornerRange(geometry, checkGeometry(geometry, 'bakeOcclusion'));
   const toWorld = worldMatrices(mesh)[0].toArray();
-  const isInsideOut = materialsOf(mesh).every(({ side }) => side === BackSide);
+  const sides = sidesOf(mesh);
   return () => ({
     ...extractMesh(geometry, range),
     normals: receives ? copyVectors(geometry.attributes.normal) : null,
     toWorld,
-    isInsideOut,
+    sides,
     occludes,
   });
+}
+
+/** The sides of a mesh that are drawn. */
+function sidesOf(mesh: Mesh): OcclusionMesh['sides'] {
+  const materials = materialsOf(mesh);
+  if (materials.every(({ side }) => side === FrontSide)) return 'front';
+  return materials.every(({ side }) => side === BackSide) ? 'back' : 'both';
 }
 
 /** The distance from the origin, in sizes of the mesh, beyond which its positions are too coarse in single precision. */

@@ -12,10 +12,11 @@ export const FIELD = 6;
 export const FIELD_NORMAL = 9;
 /** World space. */
 export const TONE_NORMAL = 12;
+/** Of the front, then of the back. */
 export const OCCLUSION = 15;
 /** The two functions of the form: gradient per tile and rest, as in `formVarying`. */
-export const FORM = 16;
-export const STRIDE = 24;
+export const FORM = 17;
+export const STRIDE = 25;
 
 /** A surface with lines: triangles over which all numbers of vertices are linear. */
 export interface LineSurface {
@@ -71,7 +72,7 @@ export function between(vertices: Float64Array, a: number, b: number, share: num
 /**
  * The place with the given numbers.
  *
- * @param side 1 on front faces; −1 on back faces, whose tone normal is reversed
+ * @param side 1 on front faces; −1 on back faces, whose tone normal is reversed, and which have an occlusion of their own
  * @param o offset of the numbers
  */
 export function placeFrom(n: ArrayLike<number>, triangle: FlatTriangle, side: number, o = 0): SurfacePlace {
@@ -83,7 +84,7 @@ export function placeFrom(n: ArrayLike<number>, triangle: FlatTriangle, side: nu
     fieldNormal: normalize(vectorAt(n, o + FIELD_NORMAL)),
     toneNormal: side < 0 ? [-toneNormal[0], -toneNormal[1], -toneNormal[2]] : toneNormal,
     ...triangle,
-    occlusion: n[o + OCCLUSION],
+    occlusion: n[o + OCCLUSION + (side < 0 ? 1 : 0)],
     form: { gradient: vectorAt(n, o + FORM), rest: n[o + FORM + 3] },
     formCrossing: { gradient: vectorAt(n, o + FORM + 4), rest: n[o + FORM + 7] },
     posed: null,

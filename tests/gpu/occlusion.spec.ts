@@ -83,6 +83,49 @@ for (const technique of techniques) {
 
 for (const technique of techniques) {
   test(
+    `a bowl is as bright as the sky that the side sees which is seen: ${technique}`,
+    quickIf(technique === 'engraving'),
+    async ({ page }) => {
+      const seen = await page.evaluate(async (technique) => {
+        const { THREE, bakeOcclusion, hatchedMesh, makeRenderer, pixelsOf, sceneOf } = window.toolkit;
+        const renderer = makeRenderer();
+        const light = new THREE.AmbientLight(0xffffff, Math.PI);
+        const bowl = new THREE.SphereGeometry(1, 48, 24, 0, 2 * Math.PI, Math.PI / 2, Math.PI / 2).rotateX(Math.PI / 2);
+        const { FrontSide, BackSide, DoubleSide } = THREE;
+        const cases: [string, import('three').Side, mirrored: boolean, turned: boolean, transparent?: boolean][] = [
+          ['inside of both sides', DoubleSide, false, false],
+          ['outside of both sides', DoubleSide, false, true],
+          ['mirrored inside of both sides', DoubleSide, true, false],
+          ['mirrored outside of both sides', DoubleSide, true, true],
+          ['see-through inside of both sides', DoubleSide, false, false, true],
+          ['see-through outside of both sides', DoubleSide, false, true, true],
+          ['inside of the back', BackSide, false, false],
+          ['mirrored inside of the back', BackSide, true, false],
+          ['outside of the front', FrontSide, false, true],
+          ['mirrored outside of the front', FrontSide, true, true],
+        ];
+        const found: [string, pixels: number[]][] = [];
+        for (const [name, side, isMirrored, isTurned, transparent = false] of cases) {
+          const mesh = await hatchedMesh(bowl.clone(), { technique, debugView: 'tone', side });
+          if (isMirrored) mesh.scale.x = -1;
+          if (isTurned) mesh.rotation.y = Math.PI;
+          const scene = sceneOf(mesh, light);
+          await bakeOcclusion(scene);
+          // A see-through mesh would occlude nothing. three.js draws its back and its front apart.
+          mesh.material.transparent = transparent;
+          found.push([name, pixelsOf(scene, renderer)]);
+        }
+        return found;
+      }, technique);
+      for (const [name, pixels] of seen) {
+        const isInside = name.includes('inside');
+        for (let x = -15; x <= 15; x += 5)
+          expect(Math.abs(at(pixels, SIZE / 2 + x, SIZE / 2)[0] / 255 - (isInside ? 0.5 : 1)), name).toBeLessThan(0.06);
+      }
+    },
+  );
+
+  test(
     `a mesh keeps the occlusion of its rest pose; instances have none, nor what was never prepared: ${technique}`,
     quickIf(technique === 'hatching'),
     async ({ page }) => {

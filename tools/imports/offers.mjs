@@ -32,6 +32,7 @@ export const OFFERS = {
     'form/FormField.ts',
     'occlusion/addDirections.ts',
     'occlusion/OcclusionScene.ts',
+    'occlusion/occlusionSides.ts',
     'occlusion/startOcclusion.ts',
     'orientation/orientTriangles.ts',
     'orientation/turnTriangles.ts',

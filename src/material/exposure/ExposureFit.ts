@@ -246,14 +246,16 @@ function addPlace(
     normal.fromArray(normals, 3 * i).applyMatrix3(toWorldNormal);
     const stretched = normal.length();
     normal.divideScalar(stretched);
-    if (material.side === BackSide) normal.negate();
-    const open = openToLamps(occlusion[i], material.occlusion);
-    const openToSky = 1 - material.occlusion * occlusion[i];
     // Either side of a double-sided surface may be seen, depending on the camera.
     const sides = material.side === DoubleSide ? 2 : 1;
+    const first = material.side === BackSide ? 1 : 0;
+    if (first === 1) normal.negate();
     const area = (weight * samples.area * determinant * stretched) / count;
     lightness.add(lightnessAt(i), area);
-    for (let side = 0; side < sides; side++) {
+    for (let side = first; side < first + sides; side++) {
+      const occluded = occlusion[2 * i + side];
+      const open = openToLamps(occluded, material.occlusion);
+      const openToSky = 1 - material.occlusion * occluded;
       lights.arriveAt(position, normal, isHalfLambert, light);
       const around = light.indirect + material.reflectedLight * light.reflected;
       const radiance = open * light.direct + openToSky * around + emitted;

@@ -1,5 +1,6 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
 import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
+import { occlusionOf } from '../../mesh/occlusion/occlusionSides.js';
 
 /** Points spread evenly over the surface of a geometry, in object space and at rest. Any first few of them are spread evenly too. */
 export interface SurfaceSamples {
@@ -10,7 +11,7 @@ export interface SurfaceSamples {
   readonly positions: Float32Array;
   /** The unit normals of the triangles. */
   readonly normals: Float32Array;
-  /** The baked ambient occlusion; 0 without a bake. */
+  /** The baked ambient occlusion of the front, then of the back, of each sample; 0 without a bake. */
   readonly occlusion: Float32Array;
   /** The luminance of the vertex colours, and the first texture coordinates, two per sample, if the geometry has them. */
   readonly colors: Float32Array | undefined;
@@ -83,8 +84,9 @@ class Corners {
     return xyz;
   }
 
-  occlusion(triangle: number, corner: number): number {
-    return this.baked ? Math.max(0, -this.baked.getW(this.vertex(triangle, corner))) : 0;
+  /** The component of `hatchNormal` that holds occlusion. */
+  occlusion(vertex: number): number {
+    return this.baked?.getW(vertex) ?? 0;
   }
 
   vertex(triangle: number, corner: number): number {
@@ -119,7 +121,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
   const count = sum > 0 ? wanted : 0;
   const positions = new Float32Array(3 * count);
   const normals = new Float32Array(3 * count);
-  const occlusion = new Float32Array(count);
+  const occlusion = new Float32Array(2 * count);
   const { color, uv } = geometry.attributes;
   const colors = color ? new Float32Array(count) : undefined;
   const places = uv ? new Float32Array(2 * count) : undefined;
@@ -139,7 +141,9 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
     for (let corner = 0; corner < 3; corner++) {
       const share = shares[corner];
       const vertex = corners.vertex(triangle, corner);
-      occlusion[i] += share * corners.occlusion(triangle, corner);
+      const baked = corners.occlusion(vertex);
+      occlusion[2 * i] += share * occlusionOf(baked, false);
+      occlusion[2 * i + 1] += share * occlusionOf(baked, true);
       if (colors)
         colors[i] += share * (0.2126 * color.getX(vertex) + 0.7152 * color.getY(vertex) + 0.0722 * color.getZ(vertex));
       if (places) {

@@ -4,7 +4,7 @@
 
 /**
  * The attribute that orients strokes, in every layout: the unit normal at the scale of a stroke, in object space. x, y, z are normalised
- * 16-bit integers. w is 0, or minus the ambient occlusion once `bakeOcclusion` has written it.
+ * 16-bit integers. w is 0, or the ambient occlusion once `bakeOcclusion` has written it (`occlusionSides.ts`).
  */
 export const hatchNormal = { name: 'hatchNormal', itemSize: 4 } as const;
 

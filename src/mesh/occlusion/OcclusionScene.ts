@@ -8,8 +8,8 @@ export interface OcclusionMesh {
   normals: Float32Array<ArrayBuffer> | null;
   /** The matrix from object space to world space, by columns. */
   toWorld: number[];
-  /** Whether the mesh is seen from its back, so that its normals are reversed. */
-  isInsideOut: boolean;
+  /** Which sides of it are drawn. The occlusion of those is measured; both sides occlude. */
+  sides: 'front' | 'back' | 'both';
   /** Whether the mesh occludes others. */
   occludes: boolean;
 }
@@ -33,8 +33,10 @@ export interface OcclusionScene {
   /** Two sums for each sample: the cosines of all directions so far, and the cosines of those in which the sky is visible. */
   sums: Float32Array<ArrayBuffer>;
   views: OcclusionView[];
-  /** For each mesh with normals the sample of each vertex, or NO_SAMPLE. */
+  /** For each mesh with normals the sample of each vertex, or NO_SAMPLE; where both sides are drawn, that of the front. */
   sampleOf: Uint32Array<ArrayBuffer>[];
+  /** For each mesh with normals how far after a sample that of its back is; 0 where one side is drawn. */
+  backAfter: number[];
 }
 
 /** The sample of a vertex that no triangle uses. */

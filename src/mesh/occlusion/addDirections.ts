@@ -1,15 +1,13 @@
 import { asPhase, chunkPhase, forEachChunk } from '../phases.js';
 import { MAP_SIZE, NO_SAMPLE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
+import { packedSide, packedSides } from './occlusionSides.js';
 
 /** The result of `addDirections`. */
 export interface OcclusionResult {
   scene: OcclusionScene;
-  /** For each mesh with normals, the occlusion of each vertex, from 0 (sees the whole sky) to 32767 (sees nothing of it). */
+  /** For each mesh with normals, the component of `hatchNormal` that holds the occlusion of each vertex (`occlusionSides.ts`). */
   occlusions: Int16Array<ArrayBuffer>[];
 }
-
-/** The normalised 16-bit integer that stands for 1. */
-const ONE = 0x7fff;
 
 /** The input of `addDirections`. */
 export interface DirectionRequest {
@@ -43,7 +41,10 @@ export function* addDirections({
       lookUp(maps, scene, view, projection, start, end),
     );
   }
-  return { scene, occlusions: scene.sampleOf.map((sampleOf) => occlusionsOf(scene.sums, sampleOf)) };
+  return {
+    scene,
+    occlusions: scene.sampleOf.map((sampleOf, i) => occlusionsOf(scene.sums, sampleOf, scene.backAfter[i])),
+  };
 }
 
 function lookUp(
@@ -71,15 +72,21 @@ function lookUp(
   }
 }
 
-function occlusionsOf(sums: Float32Array, sampleOf: Uint32Array): Int16Array<ArrayBuffer> {
+function occlusionsOf(sums: Float32Array, sampleOf: Uint32Array, backAfter: number): Int16Array<ArrayBuffer> {
   const occlusions = new Int16Array(sampleOf.length);
   for (let vertex = 0; vertex < sampleOf.length; vertex++) {
     const sample = sampleOf[vertex];
     if (sample === NO_SAMPLE) continue;
-    const above = sums[2 * sample];
-    if (above > 0) occlusions[vertex] = Math.round(ONE * (1 - sums[2 * sample + 1] / above));
+    const one = occlusionAt(sums, sample);
+    occlusions[vertex] = backAfter === 0 ? packedSide(one) : packedSides(one, occlusionAt(sums, sample + backAfter));
   }
   return occlusions;
+}
+
+/** The occlusion of a sample: the share of the directions above it in which the sky is hidden, weighted by their cosines. */
+function occlusionAt(sums: Float32Array, sample: number): number {
+  const above = sums[2 * sample];
+  return above > 0 ? 1 - sums[2 * sample + 1] / above : 0;
 }
 
 /** The axes of a depth map: unit vectors, orthogonal. `right` and `up` span the map, `towards` points at the first sky. */

@@ -18,6 +18,7 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
   }
   const occluders = surfaces.filter((_, i) => meshes[i].occludes);
   const sampled = surfaces.flatMap(({ samples }) => samples ?? []);
+  const sides = [...sampled, ...sampled.filter(({ hasBack }) => hasBack).map(backOf)];
   const scene = {
     positions: joined(
       Float32Array,
@@ -26,24 +27,35 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
     indices: joinedIndices(occluders.map(({ indices, positions }) => [indices, positions.length / 3])),
     samplePositions: joined(
       Float32Array,
-      sampled.map(({ positions }) => positions),
+      sides.map(({ positions }) => positions),
     ),
     sampleNormals: joined(
       Float32Array,
-      sampled.map(({ normals }) => normals),
+      sides.map(({ normals }) => normals),
     ),
     sampleOf: sampled.map(({ sampleOf }) => sampleOf),
+    backAfter: [] as number[],
   };
+  const fronts = countOf(sampled);
+  const backAfter = new Uint32Array(fronts);
   let first = 0;
-  for (const { sampleOf, positions } of sampled) {
+  let firstOfBack = fronts;
+  for (const { sampleOf, positions, hasBack } of sampled) {
     for (let i = 0; i < sampleOf.length; i++) if (sampleOf[i] !== NO_SAMPLE) sampleOf[i] += first;
-    first += positions.length / 3;
+    const after = hasBack ? firstOfBack - first : 0;
+    scene.backAfter.push(after);
+    const count = positions.length / 3;
+    backAfter.fill(after, first, first + count);
+    first += count;
+    if (hasBack) firstOfBack += count;
   }
-  const sums = new Float32Array(2 * first);
-  const views = chooseViews(scene.samplePositions);
+  const sums = new Float32Array(2 * firstOfBack);
+  // Chosen by fronts alone: where one side is drawn, backs elsewhere change nothing.
+  const views = chooseViews(scene.samplePositions.subarray(0, 3 * fronts));
+  for (const view of views) view.samples = withBacks(view.samples, backAfter);
   const inward = joined(
     Float32Array,
-    sampled.map((samples) => samples.inward),
+    sides.map((samples) => samples.inward),
   );
   for (const { radius, samples } of views) {
     const pixel = (2 * radius) / MAP_SIZE;
@@ -54,6 +66,18 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
     }
   }
   return { ...scene, sums, views };
+}
+
+/** The samples of the back of a surface, in the order of those of its front. */
+const backOf = (front: SurfaceSamples): SurfaceSamples => ({ ...front, normals: front.normals.map((value) => -value) });
+
+const countOf = (sets: readonly SurfaceSamples[]): number =>
+  sets.reduce((sum, { positions }) => sum + positions.length / 3, 0);
+
+/** Adds the samples of backs to those of fronts. backAfter: how far after each front its back is, 0 for none */
+function withBacks(fronts: Uint32Array<ArrayBuffer>, backAfter: Uint32Array): Uint32Array<ArrayBuffer> {
+  const backs = fronts.filter((sample) => backAfter[sample] > 0).map((sample) => sample + backAfter[sample]);
+  return backs.length > 0 ? joined<Uint32Array<ArrayBuffer>>(Uint32Array, [fronts, backs]) : fronts;
 }
 
 /** Concatenates arrays. */
@@ -137,11 +161,13 @@ interface SurfaceSamples {
   inward: Float32Array<ArrayBuffer>;
   /** For each vertex its sample, or NO_SAMPLE. */
   sampleOf: Uint32Array<ArrayBuffer>;
+  /** Whether the occlusion of the back is measured too. */
+  hasBack: boolean;
 }
 
 /** Welds vertices at the same position, since geometries prepared for hatching may have three vertices per triangle. */
 function* sampleSurface(mesh: OcclusionMesh): Generator<number, OcclusionSurface, void> {
-  const { indices, normals, toWorld, isInsideOut } = mesh;
+  const { indices, normals, toWorld, sides } = mesh;
   const { canonical } = yield* asPhase(weldPositions(mesh.positions), 0, 0.3);
   const places = numbered(canonical, indices);
   const surface = {
@@ -162,9 +188,10 @@ function* sampleSurface(mesh: OcclusionMesh): Generator<number, OcclusionSurface
   const { firsts, numbers } = numbered(both.canonical, indices);
   const samples = {
     positions: toWorldPoints(pick(mesh.positions, firsts), toWorld),
-    normals: toWorldNormals(pick(normals, firsts), toWorld, isInsideOut ? -1 : 1),
+    normals: toWorldNormals(pick(normals, firsts), toWorld, sides === 'back' ? -1 : 1),
     inward: new Float32Array(3 * firsts.length),
     sampleOf: numbers,
+    hasBack: sides === 'both',
   };
   yield* chunkPhase(indices.length / 3, 0.8, 1, (start, end) => addInward(samples, indices, start, end));
   limitInward(samples);

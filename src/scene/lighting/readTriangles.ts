@@ -10,6 +10,7 @@ import {
 } from 'three';
 import { openToLamps } from '../../material/exposure/openToLamps.js';
 import { hatchNormal } from '../../mesh/bake/attributeLayouts.js';
+import { occlusionOf } from '../../mesh/occlusion/occlusionSides.js';
 import { isBatched, isHatching, isSurfaceMesh, materialsOf } from '../surfaceMeshes.js';
 
 /** The greatest number of triangles that are read. In larger scenes, each stands for some of its neighbours. */
@@ -141,19 +142,20 @@ function readMesh(
     inView.multiplyMatrices(toView, place);
     onSheet.multiplyMatrices(projection, inView);
     const hidden = hiddenSide(mesh, place);
+    const front = place.determinant() < 0 ? -1 : 1;
     for (let triangle = 0; triangle < triangles; triangle += step) {
-      let open = 0;
+      const open = [0, 0];
       let inFront = 0;
       for (let corner = 0; corner < 3; corner++) {
         const vertex = vertexAt(start + 3 * triangle + corner);
         if (!(vertex < attributes.position.count)) break;
         mesh.getVertexPosition(vertex, corners[corner]);
         if (project(corners[corner], corner)) inFront++;
-        open += openness(vertex) / 3;
+        for (const side of [0, 1]) open[side] += openness(vertex, side) / 3;
         const { x, y, z } = corners[corner].applyMatrix4(place);
         outer?.add(x, y, z);
       }
-      if (inFront === 3) add(list, hidden, open, isSample || step > 1);
+      if (inFront === 3) add(list, { hidden, front, open }, isSample || step > 1);
     }
   }
 }
@@ -171,8 +173,18 @@ function project({ x, y, z }: Vector3, corner: number): boolean {
   return depth > 0;
 }
 
+/** The sides of a triangle. Those of the sheet are 1 for counter-clockwise, and −1 for clockwise. */
+interface Sides {
+  /** The side of the sheet that is not drawn; 0 for none. */
+  hidden: number;
+  /** The side of the sheet that its front has. */
+  front: number;
+  /** The share of directional light that reaches its front, and its back, through its baked occlusion. */
+  open: readonly number[];
+}
+
 /** Adds the triangle of the present corners, unless only its hidden side is visible. */
-function add(list: ProjectedTriangles, hidden: number, openness: number, isSample: boolean): void {
+function add(list: ProjectedTriangles, { hidden, front, open }: Sides, isSample: boolean): void {
   const [ax, ay, , bx, by, , cx, cy] = projected;
   const side = Math.sign((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
   if (!(side === 1 || side === -1) || side === hidden) return;
@@ -182,7 +194,7 @@ function add(list: ProjectedTriangles, hidden: number, openness: number, isSampl
   const { count } = list;
   normal.multiplyScalar(side / length).toArray(list.normals, 3 * count);
   list.corners.set(projected, 9 * count);
-  list.openness[count] = openness;
+  list.openness[count] = open[side === front ? 0 : 1];
   list.isSample[count] = isSample ? 1 : 0;
   list.count++;
 }
@@ -194,13 +206,13 @@ function hiddenSide(mesh: Mesh, place: Matrix4): number {
   return (side === BackSide ? 1 : -1) * (place.determinant() < 0 ? -1 : 1);
 }
 
-/** Returns a function of a vertex: the share of directional light that reaches it through its baked occlusion. */
-function opennessOf(mesh: Mesh): (vertex: number) => number {
+/** Returns a function of a vertex: the share of directional light that reaches its front (0) or back (1) through its baked occlusion. */
+function opennessOf(mesh: Mesh): (vertex: number, side: number) => number {
   const material = materialsOf(mesh).find(isHatching);
   const baked = mesh.geometry.attributes[hatchNormal.name];
   const strength = material?.occlusion ?? 0;
   if (strength === 0 || baked?.itemSize !== hatchNormal.itemSize) return () => 1;
-  return (vertex) => openToLamps(Math.max(0, -baked.getW(vertex)), strength);
+  return (vertex, side) => openToLamps(occlusionOf(baked.getW(vertex), side === 1), strength);
 }
 
 /** Triangles as a camera sees them: plain data, in world space and on the sheet. */

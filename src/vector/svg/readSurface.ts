@@ -4,6 +4,7 @@ import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import { STIPPLE_MAP_SIZE } from '../../material/tam/patternSizes.js';
 import { stippleMap } from '../../material/tam/stippleMap.js';
 import { formLayout, hatchNormal } from '../../mesh/bake/attributeLayouts.js';
+import { occlusionOf } from '../../mesh/occlusion/occlusionSides.js';
 import { asPhase } from '../../mesh/phases.js';
 import { SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
 import type { StippledSurface } from '../DrawnScene.js';
@@ -116,7 +117,8 @@ class VertexWriter {
     put(TONE_NORMAL);
     const strokes = this.geometry.attributes[hatchNormal.name];
     if (strokes) {
-      vertices[o + OCCLUSION] = frame.hasOcclusion ? Math.max(-strokes.getW(vertex), 0) : 0;
+      const baked = frame.hasOcclusion ? strokes.getW(vertex) : 0;
+      for (const side of [0, 1]) vertices[o + OCCLUSION + side] = occlusionOf(baked, side === 1);
       vector.fromBufferAttribute(strokes as BufferAttribute, vertex);
     }
     // The smoothed normal, or the geometry's own where it was not prepared.

@@ -16,6 +16,7 @@ import {
   HatchingOutlines,
   SceneExtent,
 } from 'three-hatching';
+import { packedSide, packedSides } from '../../mesh/occlusion/occlusionSides.js';
 import { cleanMesh } from '../files/mesh/cleanMesh.js';
 import { type PictureRange, type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
@@ -25,28 +26,34 @@ import { HatchedModel } from './HatchedModel.js';
 import { meshesOf, someVertices } from './meshes.js';
 import { statisticsOf } from './statistics.js';
 
-/** The largest normalised values of a signed 16-bit and of an unsigned 8-bit integer, which stand for 1. */
-const [ONE, BYTE_ONE] = [0x7fff, 0xff];
+/** The byte that stands for 1. */
+const BYTE_ONE = 0xff;
 
 /**
  * Writes precomputed ambient occlusion to a geometry, in the format of `bakeOcclusion`. The geometry has the corners of the mesh.
  *
- * @param occlusion one byte per vertex of the mesh, from 0 (open sky) to 255 (fully occluded); then four bytes for each corner on a sharp
- *   edge that differs from its vertex: the index of the corner in three bytes, little-endian, and its occlusion
+ * @param occlusion the number of sides, 1 or 2. Then for each vertex of the mesh a byte for each side, front first, from 0 (open sky) to
+ *   255 (fully occluded). Then for each corner on a sharp edge that differs from its vertex the index of the corner in three bytes,
+ *   little-endian, and a byte for each side
  */
 export function writeOcclusion({ index, attributes }: BufferGeometry, mesh: PlainMesh, occlusion: Uint8Array): void {
   const { array } = attributes.hatchNormal;
   const corners = (index ?? attributes.hatchNormal).count;
-  const write = (corner: number, byte: number): void => {
-    array[4 * (index ? index.array[corner] : corner) + 3] = -Math.round((ONE / BYTE_ONE) * byte);
+  const sides = occlusion[0];
+  const write = (corner: number, at: number): void => {
+    const [front, back] = [occlusion[at] / BYTE_ONE, occlusion[at + 1] / BYTE_ONE];
+    array[4 * (index ? index.array[corner] : corner) + 3] = sides === 2 ? packedSides(front, back) : packedSide(front);
   };
   for (let corner = 0; corner < corners; corner++)
-    write(corner, occlusion[mesh.indices ? mesh.indices[corner] : corner]);
-  for (let i = mesh.positions.length / 3; i + 3 < occlusion.length; i += 4) {
+    write(corner, 1 + sides * (mesh.indices ? mesh.indices[corner] : corner));
+  for (let i = 1 + (sides * mesh.positions.length) / 3; i + 2 + sides < occlusion.length; i += 3 + sides) {
     const corner = occlusion[i] + (occlusion[i + 1] << 8) + (occlusion[i + 2] << 16);
-    if (corner < corners) write(corner, occlusion[i + 3]);
+    if (corner < corners) write(corner, i + 3);
   }
 }
+
+/** The least number of bytes of precomputed occlusion. */
+const sizeOf = ([sides]: Uint8Array, { positions }: PlainMesh): number => 1 + (sides * positions.length) / 3;
 
 /**
  * Makes a hatched model of one mesh, with a material per range. See-through ranges become a separate mesh, which casts no shadow.
@@ -96,7 +103,7 @@ export async function modelOfMesh(
   composition.extent = new SceneExtent(root, bounds);
   for (const material of materials) material.composition = composition;
   // An incomplete occlusion file is ignored.
-  const isOccluded = occlusion !== undefined && parts.length === 1 && occlusion.length >= mesh.positions.length / 3;
+  const isOccluded = occlusion !== undefined && parts.length === 1 && occlusion.length >= sizeOf(occlusion, mesh);
   if (isOccluded) writeOcclusion(meshesOf(root)[0].geometry, mesh, occlusion);
   const model = new HatchedModel(
     root,

@@ -1,4 +1,7 @@
 import {
+  BackSide,
+  DoubleSide,
+  FrontSide,
   Group,
   Mesh,
   MeshStandardMaterial,
@@ -45,6 +48,25 @@ async function hatched(
   return stage;
 }
 
+/** Bowls in two rows, seen from inside above and from outside below: drawn from both sides, mirrored too, and from one side. */
+function bowls(): { stage: Stage; root: Group } {
+  const stage = shadowed(knot(new MeshStandardMaterial()));
+  const root = new Group();
+  const open = new SphereGeometry(0.27, 32, 20, 0, 2 * Math.PI, 0.5 * Math.PI, 0.5 * Math.PI).rotateX(0.5 * Math.PI);
+  for (const [row, y] of [0.35, -0.3].entries()) {
+    for (const [column, side] of [DoubleSide, DoubleSide, row === 0 ? BackSide : FrontSide].entries()) {
+      const bowl = new Mesh(open.clone(), new MeshStandardMaterial({ color: 0xdddddd, side }));
+      bowl.position.set(0.65 * (column - 1), y, 0);
+      bowl.rotation.set(row * Math.PI - 0.3, 0.2, 0);
+      if (column === 1) bowl.scale.x = -1;
+      root.add(bowl);
+    }
+  }
+  stage.scene.remove(stage.mesh);
+  stage.scene.add(root);
+  return { stage, root };
+}
+
 const LINES = { technique: 'engraving', direction: 'slant', shadowStrokes: 'tone' } as const;
 
 /** Whole scenes, hatched by one call. */
@@ -82,6 +104,21 @@ export const cases: readonly SceneCase[] = [
     name: 'a scene with hollows',
     async show(kit) {
       const stage = await hatched(kit, { material: { ...LINES, occlusion: 0.9, hollowStrength: 0.8 } });
+      await bakeOcclusion(stage.scene);
+      return stage;
+    },
+  },
+  {
+    name: 'bowls with hollows, seen from inside and outside',
+    shadows: PCFShadowMap,
+    async show({ either }) {
+      const { stage, root } = bowls();
+      for (const mesh of root.children) mesh.castShadow = mesh.receiveShadow = true;
+      const options = { material: { ...LINES, hollowStrength: 0.8 }, outlines: true };
+      await either(
+        () => applyHatching(root, options),
+        () => applyToNodes(root, options),
+      );
       await bakeOcclusion(stage.scene);
       return stage;
     },

@@ -96,6 +96,7 @@ interface Shading
   readonly positionViewDirection: Value;
   readonly positionWorld: Value;
   readonly diffuseColor: Value;
+  readonly frontFacing: Value;
   readonly materialEmissive: Value;
   readonly cameraFar: Value;
   readonly cameraNear: Value;

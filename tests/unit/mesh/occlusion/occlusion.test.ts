@@ -2,6 +2,7 @@ import { BoxGeometry, type BufferGeometry, Matrix4, PlaneGeometry, SphereGeometr
 import { describe, expect, test } from 'vitest';
 import { addDirections } from '../../../../src/mesh/occlusion/addDirections.js';
 import type { OcclusionMesh, OcclusionScene } from '../../../../src/mesh/occlusion/OcclusionScene.js';
+import { occlusionOf, packedSide, packedSides } from '../../../../src/mesh/occlusion/occlusionSides.js';
 import { startOcclusion } from '../../../../src/mesh/occlusion/startOcclusion.js';
 import { finish } from '../meshes.js';
 
@@ -17,7 +18,7 @@ function meshOf(geometry: BufferGeometry, options: Partial<OcclusionMesh> = {}):
       : Uint32Array.from({ length: position.count }, (_, i) => i),
     normals: Float32Array.from(normal.array),
     toWorld: new Matrix4().toArray(),
-    isInsideOut: false,
+    sides: 'front',
     occludes: true,
     ...options,
   };
@@ -26,12 +27,16 @@ function meshOf(geometry: BufferGeometry, options: Partial<OcclusionMesh> = {}):
 /** The numbers of `count` pairs of directions. */
 const pairsFrom = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => first + i);
 
+const sideOf = (values: Int16Array, isBack: boolean): number[] =>
+  Array.from(values, (value) => occlusionOf(value / 32767, isBack));
+const frontsOf = (values: Int16Array): number[] => sideOf(values, false);
+
 /** The occlusion of each vertex of each mesh with normals, and the state afterwards. */
 function bakeOf(meshes: OcclusionMesh[], pairs = PAIRS): { occlusions: number[][]; scene: OcclusionScene } {
   const { scene, occlusions } = finish(
     addDirections({ scene: finish(startOcclusion({ meshes })), pairs: pairsFrom(0, pairs) }),
   );
-  return { scene, occlusions: occlusions.map((values) => Array.from(values, (value) => value / 32767)) };
+  return { scene, occlusions: occlusions.map(frontsOf) };
 }
 
 const bake = (...meshes: OcclusionMesh[]): number[][] => bakeOf(meshes).occlusions;
@@ -74,7 +79,7 @@ describe('compared with exact form factors', () => {
   test.each([90, 60, 30])('a round pit that opens by %d° to each side: every place in it sees as much', (degrees) => {
     const opening = (degrees * Math.PI) / 180;
     const pit = new SphereGeometry(1, 64, 64, 0, 2 * Math.PI, opening, Math.PI - opening);
-    const [values] = bake(meshOf(pit, { isInsideOut: true }));
+    const [values] = bake(meshOf(pit, { sides: 'back' }));
     const closed = (1 + Math.cos(opening)) / 2;
     const errors = values.map((value) => Math.abs(value - closed));
     const { position } = pit.attributes;
@@ -146,6 +151,104 @@ describe('what must not darken', () => {
   });
 });
 
+describe('both sides', () => {
+  /** The occlusion of front and back of each vertex of each mesh. */
+  const sidesOf = (...meshes: OcclusionMesh[]): [front: number[], back: number[]][] => {
+    const scene = finish(startOcclusion({ meshes }));
+    const { occlusions } = finish(addDirections({ scene, pairs: pairsFrom(0, 64) }));
+    return occlusions.map((values) => [sideOf(values, false), sideOf(values, true)]);
+  };
+  const box = () => new BoxGeometry(1, 1, 1, 4, 4, 4);
+  const bowl = () => new SphereGeometry(1, 32, 16, 0, 2 * Math.PI, Math.PI / 2, Math.PI / 2);
+  const mirrored = new Matrix4().makeScale(-1, 1, 1).toArray();
+
+  test.each<[string, BufferGeometry, Partial<OcclusionMesh>, limits: [front: number[], back: number[]]]>([
+    [
+      'a closed box',
+      box(),
+      {},
+      [
+        [0, 0],
+        [0.98, 1],
+      ],
+    ],
+    [
+      'a mirrored closed box',
+      box(),
+      { toWorld: mirrored },
+      [
+        [0, 0],
+        [0.98, 1],
+      ],
+    ],
+    [
+      'a bowl',
+      bowl(),
+      {},
+      [
+        [0, 0.03],
+        [0.4, 0.6],
+      ],
+    ],
+    [
+      'a sheet',
+      new PlaneGeometry(1, 1, 8, 8),
+      {},
+      [
+        [0, 0],
+        [0, 0],
+      ],
+    ],
+  ])('%s: outside and inside each have their own', (_, geometry, options, [front, back]) => {
+    const [[fronts, backs]] = sidesOf(meshOf(geometry, { ...options, sides: 'both' }));
+    for (const [values, [least, most]] of [
+      [fronts, front],
+      [backs, back],
+    ] as const) {
+      const inner = mean(values);
+      expect(inner).toBeGreaterThanOrEqual(least);
+      expect(inner).toBeLessThanOrEqual(most);
+    }
+  });
+
+  test('each is what a bake of that side alone gives, to half a level', () => {
+    const [floor, wall] = corner();
+    const bakeOfSide = (sides: 'front' | 'back') => bakeOf([meshOf(floor, { sides }), meshOf(wall, { sides })], 64);
+    const alone = [bakeOfSide('front'), bakeOfSide('back')];
+    for (const [mesh, both] of sidesOf(meshOf(floor, { sides: 'both' }), meshOf(wall, { sides: 'both' })).entries()) {
+      for (const [side, values] of both.entries()) {
+        const errors = values.map((value, i) => Math.abs(value - alone[side].occlusions[mesh][i]));
+        expect(largest(errors)).toBeLessThan(0.5 / 180 + 1e-4);
+      }
+    }
+  });
+
+  test('they change nothing where one side is drawn', () => {
+    const ground = meshOf(new PlaneGeometry(400, 400).rotateX(-Math.PI / 2).translate(0, -0.01, 0));
+    const [floor, wall] = corner();
+    const oneSided = () => meshOf(floor, { sides: 'front' });
+    const [before] = bakeOf([oneSided(), meshOf(wall, { sides: 'front' }), ground], 32).occlusions;
+    const [after] = bakeOf([oneSided(), meshOf(wall, { sides: 'both' }), ground], 32).occlusions;
+    expect(after).toEqual(before);
+  });
+});
+
+test('two levels of occlusion survive in one component, whatever they are; a missing attribute has none', () => {
+  const wrong: number[][] = [];
+  for (let front = 0; front <= 180; front++) {
+    for (let back = 0; back <= 180; back++) {
+      const packed = packedSides(front / 180, back / 180);
+      const [one, other] = [false, true].map((isBack) => occlusionOf(packed / 32767, isBack));
+      if (!(packed < 32767 && one === front / 180 && other === back / 180)) wrong.push([front, back]);
+    }
+  }
+  expect(wrong).toEqual([]);
+  for (const isBack of [false, true]) {
+    expect(occlusionOf(1, isBack)).toBe(0);
+    expect(occlusionOf(packedSide(0.4321) / 32767, isBack)).toBeCloseTo(0.4321, 4);
+  }
+});
+
 describe('meshes', () => {
   const below = () => meshOf(new PlaneGeometry(1, 1, 2, 2));
   const roof = (options: Partial<OcclusionMesh> = {}) => meshOf(new PlaneGeometry(9, 9).translate(0, 0, 0.5), options);
@@ -162,7 +265,7 @@ describe('meshes', () => {
   });
 
   test('turned inside out show their backs', () => {
-    const [values] = bakeOf([meshOf(new BoxGeometry(1, 1, 1, 4, 4, 4), { isInsideOut: true })], 32).occlusions;
+    const [values] = bakeOf([meshOf(new BoxGeometry(1, 1, 1, 4, 4, 4), { sides: 'back' })], 32).occlusions;
     expect(Math.min(...values)).toBeGreaterThan(0.98);
   });
 
@@ -205,7 +308,7 @@ test('continues where it stopped: the same directions give the same result at on
   const whole = bakeOf([meshOf(floor), meshOf(wall)], 24);
   const part = bakeOf([meshOf(floor), meshOf(wall)], 8);
   const { occlusions } = finish(addDirections({ scene: part.scene, pairs: pairsFrom(8, 16) }));
-  expect(occlusions.map((values) => Array.from(values, (value) => value / 32767))).toEqual(whole.occlusions);
+  expect(occlusions.map(frontsOf)).toEqual(whole.occlusions);
 });
 
 test('sums of another copy of the scene are added like directions', () => {
@@ -216,7 +319,7 @@ test('sums of another copy of the scene are added like directions', () => {
   const { sums } = finish(addDirections({ scene: other, pairs: pairsFrom(8, 16) })).scene;
   const { occlusions } = finish(addDirections({ scene, pairs: [], sums: [sums] }));
   const errors = occlusions.flatMap((values, mesh) =>
-    Array.from(values, (value, i) => Math.abs(value / 32767 - whole.occlusions[mesh][i])),
+    frontsOf(values).map((value, i) => Math.abs(value - whole.occlusions[mesh][i])),
   );
   expect(largest(errors)).toBeLessThan(1e-4);
 });

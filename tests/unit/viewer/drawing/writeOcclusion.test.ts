@@ -1,6 +1,7 @@
 import { IcosahedronGeometry, type Mesh } from 'three';
 import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
 import { expect, test } from 'vitest';
+import { occlusionOf } from '../../../../src/mesh/occlusion/occlusionSides.js';
 import { bakeMesh } from '../../../../src/viewer/drawing/bakeMesh.js';
 import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
 import { modelOfMesh, writeOcclusion } from '../../../../src/viewer/drawing/modelOfMesh.js';
@@ -20,7 +21,10 @@ function someMesh(): PlainMesh & { indices: Uint32Array } {
 const byteOf = (x: number, y: number): number => Math.round(100 + 60 * x + 30 * y);
 
 const bytesOf = ({ positions }: PlainMesh): Uint8Array<ArrayBuffer> =>
-  Uint8Array.from({ length: positions.length / 3 }, (_, i) => byteOf(positions[3 * i], positions[3 * i + 1]));
+  Uint8Array.of(1, ...verticesOf(positions).map(([x, y]) => byteOf(x, y)));
+
+const verticesOf = (positions: Float32Array): number[][] =>
+  Array.from({ length: positions.length / 3 }, (_, i) => Array.from(positions.subarray(3 * i, 3 * i + 3)));
 
 function expectWritten({ geometry }: Pick<Mesh, 'geometry'>): void {
   const { position, hatchNormal } = geometry.attributes;
@@ -54,9 +58,25 @@ test('a corner may differ from its vertex', async () => {
   expect(-255 * hatchNormal.getW(8)).toBeCloseTo(byteOf(position.getX(8), position.getY(8)), 1);
 });
 
+test('a surface that is drawn from both sides has two bytes for each vertex and corner', async () => {
+  const mesh = someMesh();
+  const { geometry } = await bakeMesh(mesh, OPTIONS);
+  const bytes = verticesOf(mesh.positions).flatMap(([x, y]) => [byteOf(x, y), byteOf(y, x)]);
+  writeOcclusion(geometry, mesh, Uint8Array.of(2, ...bytes, 7, 0, 0, 255, 51));
+  const { hatchNormal, position } = geometry.attributes;
+  const sidesOf = (vertex: number): number[] =>
+    [false, true].map((isBack) => 255 * occlusionOf(hatchNormal.getW(vertex), isBack));
+  for (let i = 0; i < position.count; i++) {
+    const [x, y] = [position.getX(i), position.getY(i)];
+    const expected = i === 7 ? [255, 51] : [byteOf(x, y), byteOf(y, x)];
+    // The geometry keeps 181 levels of each.
+    for (const [side, byte] of sidesOf(i).entries()) expect(Math.abs(byte - expected[side])).toBeLessThan(0.75);
+  }
+});
+
 test('an incomplete file is not taken', async () => {
   const mesh = someMesh();
-  const model = await modelOfMesh(mesh, OPTIONS, { occlusion: bytesOf(mesh).subarray(1) });
+  const model = await modelOfMesh(mesh, OPTIONS, { occlusion: bytesOf(mesh).subarray(0, -1) });
   expect(model.isOccluded).toBe(false);
   expect(meshesOf(model.root)[0].geometry.attributes.hatchNormal.getW(0)).toBe(0);
 });
