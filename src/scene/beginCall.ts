@@ -1,4 +1,5 @@
 import type { Mesh, Object3D } from 'three';
+import { needsAdjacency } from '../look/queries.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import { isPromise, warn } from '../material/diagnostics/warn.js';
 import { identityOf } from '../material/geometry/identityOf.js';
@@ -88,10 +89,14 @@ export function beginCall(
   const meshes = surfaceMeshes(root).filter(options.filter ?? (() => true));
   const choice = chooseMeshes(meshes, holder);
   choice.chosen.push(...detached);
-  if (choice.chosen.length > 0) startWorker(options);
+  if (choice.chosen.length > 0) startWorker(options, isWithAdjacency(options) ? 'bakePull' : 'bakeIndexed');
   else if (!holder) warnOfNothing(root, choice);
   return new CallUnderWay(root, options, choice, holder);
 }
+
+/** Whether geometries are baked with adjacency, as far as it is known before there are materials. */
+const isWithAdjacency = ({ material, adjacency }: ApplyHatchingOptions): boolean =>
+  Boolean(adjacency) || (typeof material === 'object' && needsAdjacency(material));
 
 /** Says that nothing is hatched, and what can be done. */
 function warnOfNothing(root: Object3D, { skipped, claimed }: ChosenMeshes): void {

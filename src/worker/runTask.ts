@@ -70,9 +70,9 @@ export async function runTaskOf<All extends Tasks, Name extends NameIn<All>>(
 }
 
 /** Starts a worker ahead of bakes, so that they need not wait for it. Its errors are left to the first of them. */
-export async function startWorker(options: TaskOptions): Promise<void> {
+export async function startWorker(options: TaskOptions, task: NameIn<BakingTasks> = 'bakeIndexed'): Promise<void> {
   try {
-    (await poolFor(bakingTasks, 'bakeIndexed', options)).start();
+    (await poolFor(bakingTasks, task, options)).start();
   } catch {}
 }
 

@@ -223,7 +223,7 @@ test.describe('the tarball', () => {
   test('is small: the worker, which comes later', async () => {
     const chunks = await bundle("export { prepareHatchingGeometry } from 'three-hatching';");
     const later = chunks.filter((chunk) => !loadedAtOnce(chunks).includes(chunk));
-    const worker = later.filter(({ name }) => name === 'inlineGeometryWorker');
+    const worker = later.filter(({ name }) => name === 'inlineIndexedWorker');
     expect(worker.length).toBe(1);
     const bytes = sizeOf(worker);
     test.info().annotations.push({ type: 'size', description: `${bytes} bytes` });

@@ -6,7 +6,7 @@ const FIRST_MODEL = /\/dragon_vrip_res3\.ply-[^/]*\.gz$/;
 
 /** Modules that every drawing needs, but which are fetched only when it asks for them. */
 const FIRST_MODULES = [
-  '/src/worker/kinds/inlineGeometryWorker.ts',
+  '/src/worker/kinds/inlineIndexedWorker.ts',
   '/src/material/parts/lines.ts',
   '/src/viewer/drawing/modelOfMesh.ts',
 ];

@@ -1,0 +1,4 @@
+import { serveTasks } from '../serveTasks.js';
+import { contourTasks } from './contourTasks.js';
+
+serveTasks(contourTasks);

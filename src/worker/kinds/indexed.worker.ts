@@ -1,0 +1,4 @@
+import { serveTasks } from '../serveTasks.js';
+import { indexedTasks } from './indexedTasks.js';
+
+serveTasks(indexedTasks);
