@@ -59,6 +59,20 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
   const overlays = new Overlays(session, parts);
   const dialogs = new Dialogs(session, store, opener, parts);
   const exports = new Exports(session, address, status, tasks, geometries, parts);
+  const switches = parts.later(async () => {
+    const { FileSwitches } = await import('./parts/FileSwitches.js');
+    return new FileSwitches(
+      () => session.modelLoader.shown,
+      (asWritten) => session.modelLoader.leaveAsWritten(asWritten),
+    );
+  });
+  session.listen({
+    applied: () => switches.present?.refresh(),
+    modelShown: () => {
+      const { changes, asWritten } = session.modelLoader.shown;
+      if (switches.present || changes.length + asWritten.length > 0) switches.use((shown) => shown.refresh());
+    },
+  });
   const fillScreen = (): void => {
     toggleFullScreen(page.sheet).catch(() => status.fail('The browser does not let the drawing fill the screen.'));
   };

@@ -53,7 +53,7 @@ const START_SHARE = 0.05;
  * to four workers. The meshes get a first result soon, and finer ones until the promise resolves.
  *
  * - Every mesh at or below `root` whose geometry comes from `prepareHatchingGeometry` or `applyHatching` receives occlusion. All
- *   visible meshes at or below `root` occlude, with their fronts and backs, except `transparent` ones. Instances, batches, lines
+ *   visible meshes at or below `root` occlude, with their fronts and backs, except `transparent` ones and those on no layer. Instances, batches, lines
  *   and points take no part.
  * - Each side that is drawn, as `side` of the materials says, gets the occlusion of its own.
  * - Meshes are baked where they are at the time of the call, skins and morph targets at rest. Bake again after a change.
@@ -149,7 +149,9 @@ function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; 
       if (isMany(mesh)) continue;
       const receives = hasRoom(mesh.geometry) && mesh.geometry.attributes.normal !== undefined;
       const occludes =
-        isShown(mesh, root) && materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent);
+        mesh.layers.mask !== 0 &&
+        isShown(mesh, root) &&
+        materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent);
       if (!receives && !occludes) continue;
       readers.push(readerOf(mesh, receives, occludes));
       if (receives) receivers.push(mesh);

@@ -3,13 +3,13 @@ import { type BuiltInScene, buildModel } from '../../viewer/drawing/buildModel.j
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { isOpen } from '../../viewer/drawing/statistics.js';
 import type { BundledDrawing } from '../../viewer/files/bundle.js';
-import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
+import type { FileChange, FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { shownName } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../viewer/files/readModel.js';
 import type { CameraView, SavedView } from '../../viewer/settings/CameraView.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
-import { isReadAlike, type ModelChoice, NO_CHOICE } from '../../viewer/settings/shareLink.js';
+import { isReadAlike, isSameList, type ModelChoice, NO_CHOICE } from '../../viewer/settings/shareLink.js';
 import type { CodeModel } from '../code/modelSource.js';
 import { BUILT_IN_MODELS } from '../models/models.js';
 import { setPageState } from '../page/elements.js';
@@ -37,14 +37,18 @@ interface Shown extends ShownFiles {
   title: string;
   /** Index of the material variant, if one was chosen. */
   variant?: number | undefined;
-  /** Kinds of changes that were not made to its files, on request. */
-  asWritten?: readonly FileChangeKind[] | undefined;
+  /** Changes that were made to what its files say. */
+  changes: readonly FileChange[];
+  /** Kinds of changes that were not made, on request. */
+  asWritten: readonly FileChangeKind[];
   /** How it was simplified, if it was. */
   simplified?: ReadMesh['simplified'];
   /** The original radius of a model that is drawn as a scene; undefined for a single mesh. */
   sceneRadius?: number | undefined;
   /** Whether it is a single mesh with border edges, whose surfaces are double-sided. */
   isOpen: boolean;
+  /** What was read, if it is a mesh of several parts, which is built anew when parts of it are hidden or shown. */
+  joined?: ReadMesh | undefined;
 }
 
 /** A model by its setting, with its files if it is the user's own. */
@@ -65,6 +69,10 @@ interface Load extends Wanted {
   isOpened?: boolean;
   /** Whether the user chose another variant, which is a step of the history. */
   isChosen?: boolean;
+  /** Whether its up axis is another one, because the user chose to leave it, or not. */
+  isTurned?: boolean;
+  /** Hidden parts by name, where their indices may be others than those of the choice. */
+  hiddenNames?: ReadonlySet<string> | undefined;
   /** Whether the model gets a light that suits its view, if it brings no look of its own. */
   isLit?: boolean;
   /** Whether its placeholder is shown. */
@@ -81,8 +89,8 @@ export interface OpenedModel {
   views: readonly SavedView[];
 }
 
-/** The result of loading: files opened by the user, a model named by the settings, or still the previous model. */
-export type ModelEnd = 'opened' | 'restored' | 'failed';
+/** The result of loading: files opened by the user, a model named by the settings, the same without its hidden parts, or still the previous model. */
+export type ModelEnd = 'opened' | 'restored' | 'hidden' | 'failed';
 
 /**
  * Loads models and shows them. A load is one task of the slot `model`, whose signal aborts all of its steps: another request ends it.
@@ -113,6 +121,8 @@ export class ModelLoader {
   /** Fetched with the first model that needs it. */
   private lights: FileLights | undefined;
   private readonly caption = new ModelCaption(page.modelCaption);
+  /** Parts that are being hidden; undefined if those of the shown model are. */
+  private hiding: readonly number[] | undefined;
   private readonly addresses = new WeakMap<readonly ModelFile[], string>();
 
   constructor(
@@ -122,7 +132,15 @@ export class ModelLoader {
     /** Called when loading has changed the settings. */
     private readonly onChange: (end: ModelEnd, opened?: OpenedModel) => void,
   ) {
-    this.shown = { model: settings.model, title: '', files: [], missing: [], isOpen: false };
+    this.shown = {
+      model: settings.model,
+      title: '',
+      files: [],
+      missing: [],
+      changes: [],
+      asWritten: [],
+      isOpen: false,
+    };
   }
 
   // ── Requests ──
@@ -145,7 +163,9 @@ export class ModelLoader {
     const { model, files, choice } = wanted;
     if (model === load?.model && files === load.files && isReadAlike(choice, load.choice)) {
       load.choice = choice;
+      load.hiddenNames = undefined;
       this.poseClip(choice);
+      if (!this.isReading) this.hide(choice.hidden ?? []);
     } else if (model !== 'file' || files) void this.start({ ...wanted, isFramed });
   }
 
@@ -180,7 +200,12 @@ export class ModelLoader {
   /** Reads the user's own model again without changes of some kinds, in the order of `FILE_CHANGE_KINDS`. */
   leaveAsWritten(asWritten: readonly FileChangeKind[]): void {
     const { files } = this.shown;
-    void this.start({ model: 'file', files, choice: { ...this.choice, asWritten }, isFramed: false, isChosen: true });
+    const { names = [] } = this.viewport.model?.parts ?? {};
+    const choice = { ...this.choice, asWritten };
+    // The file may have other parts then.
+    const hiddenNames = new Set(this.hidden.map((part) => names[part]));
+    const isTurned = asWritten.includes('up') !== this.shown.asWritten.includes('up');
+    void this.start({ model: 'file', files, choice, hiddenNames, isTurned, isFramed: false, isChosen: true });
   }
 
   /** Selects a clip of the shown model. */
@@ -190,7 +215,58 @@ export class ModelLoader {
     this.poseClip(choice);
   }
 
+  /**
+   * Hides parts of the shown model, by their indices in rising order, and shows the others. Does nothing while another model is read.
+   *
+   * @returns whether the parts are hidden now or soon
+   */
+  hide(hidden: readonly number[]): boolean {
+    const { viewport, shown } = this;
+    const { parts } = viewport.model ?? {};
+    if (!parts || this.isReading || !this.load) return false;
+    const known = hidden.filter((part) => part < parts.names.length);
+    if (isSameList(known, this.hidden)) return true;
+    this.load.choice = { ...this.load.choice, hidden: known };
+    if (parts.hide) {
+      parts.hide(known);
+      viewport.partsChanged();
+    } else if (shown.joined) void this.buildWithout(shown.joined, known);
+    return true;
+  }
+
+  /** Builds the shown mesh again without some of its parts. */
+  private async buildWithout(read: ReadMesh, hidden: readonly number[]): Promise<void> {
+    const { viewport, settings } = this;
+    this.hiding = hidden;
+    const end = await this.tasks.run('model', async (report, signal) => {
+      const { model } = await buildModel(read, report, signal, drawsWithAdjacency(settings), () => hidden);
+      if (read.extras) model.extras = read.extras;
+      try {
+        await viewport.shown.dress(model, signal);
+      } catch (error) {
+        model.dispose();
+        throw error;
+      }
+      viewport.frames.fadeIntoNext();
+      viewport.shown.replace(model);
+    });
+    if (end === 'replaced') return;
+    this.hiding = undefined;
+    if (this.load) this.load.choice = { ...this.load.choice, hidden: this.hidden };
+    this.onChange('hidden');
+  }
+
   // ── The shown model ──
+
+  /** Whether another model is read, or the shown one in another way. */
+  private get isReading(): boolean {
+    return this.isLoading && this.hiding === undefined;
+  }
+
+  /** The indices of the hidden parts of the shown model, or of those that are being hidden, in rising order. */
+  get hidden(): readonly number[] {
+    return this.hiding ?? this.viewport.model?.parts?.hidden ?? [];
+  }
 
   get isLoading(): boolean {
     return this.tasks.isRunning('model');
@@ -224,8 +300,10 @@ export class ModelLoader {
   /** What is selected of the shown model. */
   get choice(): ModelChoice {
     const { clip = 0 } = this.viewport.model?.motion ?? {};
-    const { variant, asWritten } = this.shown;
-    return { variant, clip: clip > 0 ? clip : undefined, asWritten };
+    const { variant } = this.shown;
+    const asWritten = this.shown.asWritten.length > 0 ? this.shown.asWritten : undefined;
+    const { hidden } = this;
+    return { variant, clip: clip > 0 ? clip : undefined, asWritten, hidden: hidden.length > 0 ? hidden : undefined };
   }
 
   /** The shown model in the form that copied code needs. */
@@ -255,6 +333,7 @@ export class ModelLoader {
   private async start(load: Load): Promise<void> {
     const { settings, viewport, shown } = this;
     this.load = load;
+    this.hiding = undefined;
     if (!viewport.isLost) setPageState('loading');
     const end = await this.tasks.run('model', async (report, signal) => {
       // Preloads all techniques, so that each is drawn in the very frame in which it is chosen.
@@ -273,7 +352,9 @@ export class ModelLoader {
       // Without a graphics card, frames and long tasks share the processor, and the frame would take twice as long.
       if (load.hasPlaceholder) await afterFrame(viewport.context);
       signal.throwIfAborted();
-      const built = await buildModel(read, report, signal, drawsWithAdjacency(settings));
+      const built = await buildModel(read, report, signal, drawsWithAdjacency(settings), (names) =>
+        hiddenOf(load, names),
+      );
       try {
         await viewport.shown.dress(built.model, signal);
       } catch (error) {
@@ -312,7 +393,9 @@ export class ModelLoader {
   /** Shows a placeholder for a large mesh: the mesh itself as far as it can be drawn before baking, or a coarse copy. */
   private showPlaceholder(load: Load, read: ReadModel | BuiltInScene): void {
     const { viewport, settings } = this;
-    const placeholder = placeholderOf(read, settings);
+    // A placeholder is of the whole mesh.
+    const isWhole = read.kind !== 'mesh' || hiddenOf(load, read.mesh.parts?.names ?? []).length === 0;
+    const placeholder = isWhole ? placeholderOf(read, settings) : undefined;
     if (!placeholder) return;
     if ('extras' in read && read.extras) placeholder.extras = read.extras;
     const { upAxis, lightAzimuth, lightElevation } = settings;
@@ -351,14 +434,16 @@ export class ModelLoader {
       missing: [],
       ...(model === 'file' && 'missing' in read && { missing: read.missing, unpacked: read.unpacked }),
       variant: next.extras.variants[variant] === undefined ? undefined : variant,
-      asWritten: model === 'file' ? choice.asWritten : undefined,
+      changes: model === 'file' && 'changes' in read ? read.changes : [],
+      asWritten: (model === 'file' && choice.asWritten) || [],
       simplified: isMesh ? read.simplified : undefined,
       sceneRadius: isMesh ? undefined : 1 / next.root.scale.x,
       isOpen: isMesh && isOpen(statistics),
+      joined: isMesh && read.mesh.parts ? read : undefined,
     };
     if (next.motion && clip !== undefined) next.motion.clip = clip;
     settings.model = model;
-    if (isOpened && !hasPlaceholder) settings.upAxis = read.upAxis;
+    if ((isOpened && !hasPlaceholder) || load.isTurned) settings.upAxis = read.upAxis;
     if (viewport.shown.isPlaceholder) viewport.frames.fadeIntoNext();
     viewport.shown.set(next, view, hasPlaceholder);
     // The user may have moved the camera while the placeholder was shown.
@@ -414,6 +499,10 @@ export class ModelLoader {
     document.title = `${shownName(content.title)}, hatched`;
   }
 }
+
+/** The indices of the parts that a load hides, in rising order. */
+const hiddenOf = ({ choice, hiddenNames }: Load, names: readonly string[]): number[] =>
+  [...names.keys()].filter((part) => hiddenNames?.has(names[part]) ?? choice.hidden?.includes(part));
 
 /** The title of a model, and the direction to the eye when it is framed, if not the default. */
 const named = (

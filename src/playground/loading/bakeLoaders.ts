@@ -138,6 +138,8 @@ const STAGE = 'darkening hollows';
 export class OcclusionLoader {
   /** The model that was baked last, even if that failed or was cancelled. */
   private model: HatchedModel | undefined;
+  /** The parts of it that were hidden. */
+  private hidden: readonly number[] | undefined;
   private bake: OcclusionBake | undefined;
 
   constructor(
@@ -149,7 +151,8 @@ export class OcclusionLoader {
   /** Whether a bake will start once the model has been drawn without occlusion. */
   get isAwaited(): boolean {
     const { model, isLost } = this.viewport;
-    return model !== undefined && model !== this.model && !model.isOccluded && this.settings.occlusion > 0 && !isLost;
+    const isBaked = model === this.model && model?.parts?.hidden === this.hidden;
+    return model !== undefined && !isBaked && !model.isOccluded && this.settings.occlusion > 0 && !isLost;
   }
 
   /**
@@ -159,9 +162,11 @@ export class OcclusionLoader {
   update(): void {
     // A placeholder is replaced before its bake could end.
     const model = this.viewport.shown.isPlaceholder ? undefined : this.viewport.model;
-    if (model !== this.model) this.letGo();
+    // Hidden parts do not darken others.
+    if (model !== this.model || model?.parts?.hidden !== this.hidden) this.letGo();
     if (!model || !this.isAwaited || !this.viewport.quality.isOnPage) return;
     this.model = model;
+    this.hidden = model.parts?.hidden;
     // Occlusion is stored per vertex, and instances share their vertices.
     if (meshesOf(model.root).every((mesh) => 'isInstancedMesh' in mesh)) return;
     void this.tasks.run('occlusion', async (report, signal) => {
@@ -189,5 +194,6 @@ export class OcclusionLoader {
     this.bake?.dispose();
     this.bake = undefined;
     this.model = undefined;
+    this.hidden = undefined;
   }
 }

@@ -6,6 +6,7 @@ import type { Settings } from '../../viewer/settings/settings.js';
 import type { SettingGroup } from '../../viewer/settings/table/rows.js';
 import { element } from '../page/elements.js';
 import { page } from '../page/page.js';
+import type { PartsPanel } from '../parts/PartsPanel.js';
 import type { SavedLooks } from '../savedLooks/SavedLooks.js';
 import type { RendererChoice } from '../session/RendererChoice.js';
 import type { Session } from '../session/Session.js';
@@ -43,6 +44,7 @@ class PresetBar {
 export class Card {
   readonly savedLooks: LaterPart<SavedLooks>;
   private readonly motion: LaterPart<MotionPanel>;
+  private readonly parts: LaterPart<PartsPanel>;
   private panel: SettingsPanel | undefined;
 
   /**
@@ -68,6 +70,10 @@ export class Card {
       const { MotionPanel } = await import('./MotionPanel.js');
       const invalidate = (): void => viewport.frames.invalidate();
       return new MotionPanel(page.motion, page.canvas, invalidate, (clip) => session.chooseClip(clip));
+    });
+    this.parts = parts.later(async () => {
+      const { PartsPanel } = await import('../parts/PartsPanel.js');
+      return new PartsPanel(session);
     });
     // The panel is fetched later, because it would delay the first drawing. The saved looks are above it and come first, so that nothing
     // moves.
@@ -95,7 +101,10 @@ export class Card {
         refreshSaved();
       },
       moved: refreshSaved,
-      modelShown: () => this.showMotion(),
+      modelShown: () => {
+        this.showMotion();
+        if (this.parts.present || viewport.model?.parts) this.parts.use((panel) => panel.show());
+      },
     });
     viewport.frames.onFrame(() => this.motion.present?.update());
   }

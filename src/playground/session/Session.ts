@@ -109,6 +109,11 @@ export class Session {
     this.recordChange(key);
   }
 
+  /** Hides parts of the model by their indices, in rising order, and shows the others, as one step. */
+  hideParts(hidden: readonly number[]): void {
+    if (this.modelLoader.hide(hidden)) this.recordChange();
+  }
+
   /** Shows the drawing of a link, as one step. */
   useLink(link: string): void {
     this.showState({ ...this.linked(link), files: undefined });
@@ -247,7 +252,7 @@ export class Session {
 
   private modelLoaded(end: ModelEnd, opened: OpenedModel | undefined): void {
     if (opened) this.takeOver(opened);
-    if (end !== 'failed') this.tell('modelShown');
+    if (end === 'opened' || end === 'restored') this.tell('modelShown');
     if (end === 'opened') this.recordChange();
     else this.adopt();
   }

@@ -89,6 +89,11 @@ export class Scenery {
     return turned(shown.model.framedPoints, upright.matrix);
   }
 
+  /** Call this when parts of the model were hidden or shown. */
+  outdateCasters(): void {
+    this.casters = undefined;
+  }
+
   /** The shadow of points (xyz) on the ground, seen from a direction, as xyz; undefined without a shadow. */
   shadowOf(framedPoints: ArrayLike<number>, toEye: Vector3): number[] | undefined {
     return this.showsShadow ? this.lights.shadowOf(framedPoints, this.ground.height, toEye) : undefined;

@@ -8,8 +8,11 @@ import type { Look } from '../../viewer/settings/lookOf.js';
 /** The direction from a model to the eye when the model is framed. */
 type ViewDirection = readonly [number, number, number];
 
-/** The kind of change: another model or its placeholder is shown, a model has replaced its placeholder, or an earlier model is back. */
-export type ModelChange = 'another' | 'completed' | 'back';
+/**
+ * The kind of change: another model or its placeholder is shown, a model has replaced its placeholder, an earlier model is back, or other
+ * parts of the same one are hidden.
+ */
+export type ModelChange = 'another' | 'completed' | 'back' | 'parts';
 
 /** The shown model. A placeholder may replace it until the next model is baked; if that fails, the earlier model returns. */
 export class ShownModel {
@@ -66,6 +69,14 @@ export class ShownModel {
     this.isTemporary = false;
     this.replaced = undefined;
     this.report(change, firstView);
+  }
+
+  /** Replaces the model by a copy of it with other parts hidden. Both are framed in the same way. */
+  replace(next: HatchedModel): void {
+    this.disposePrevious();
+    const before = this.exchange(next);
+    if (before) this.previous.push(before);
+    this.report('parts', this.firstView);
   }
 
   /** Shows a placeholder until {@link set} sets the baked model, or {@link removePlaceholder} brings back the earlier one. */

@@ -80,6 +80,14 @@ export class Viewport {
     this.painter.outdateShadows();
   }
 
+  /** Draws the model after parts of it were hidden or shown. */
+  partsChanged(): void {
+    this.changes++;
+    this.scenery.outdateCasters();
+    this.painter.outdateShadows();
+    this.frames.invalidate();
+  }
+
   /** Applies the same look again, because the model's geometries have changed and may need other programs. */
   reapply(): void {
     const { look } = this.scenery;

@@ -29,6 +29,7 @@ import type {
 import { type ModelExtras, NO_EXTRAS } from '../files/common/ModelExtras.js';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
+import type { ModelParts } from './ModelParts.js';
 import type { Motion } from './Motion.js';
 import {
   type EitherMaterial,
@@ -112,6 +113,8 @@ export class HatchedModel {
   isOccluded = false;
   /** Cameras, lights and variants of the file, in the space of the root. */
   extras: ModelExtras = NO_EXTRAS;
+  /** The parts of the model; undefined if it is of one part. */
+  parts: ModelParts | undefined;
   private readonly surfaces: readonly Surface[];
   private readonly meshes: readonly Mesh[];
   private readonly sets: { drawn: MaterialSet } & Partial<Record<MaterialKind, MaterialSet>>;

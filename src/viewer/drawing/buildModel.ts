@@ -4,6 +4,7 @@ import type { ModelScene } from '../files/gltf/parseGltf.js';
 import { triangleCount } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
 import type { HatchedModel } from './HatchedModel.js';
+import type { ChooseHidden } from './ModelParts.js';
 
 /** Reports progress: the current step and, if known, how far it is in [0, 1]. */
 export type Report = (stage: string, progress?: number) => void;
@@ -20,6 +21,7 @@ export interface BuiltInScene {
  * Builds a hatched model from a file that was read. `notes` are sentences for the caption about what was left out.
  *
  * @param adjacency whether techniques that need triangle adjacency are drawn (`bakeFurther` adds it later)
+ * @param hidden chooses the parts that are hidden, if the model has several
  * @throws ModelError with one sentence for the user, also if no triangle is visible
  */
 export async function buildModel(
@@ -27,15 +29,17 @@ export async function buildModel(
   report: Report,
   signal: AbortSignal,
   adjacency = false,
+  hidden?: ChooseHidden,
 ): Promise<{ model: HatchedModel; notes: string[] }> {
-  const hatched = await hatch(read, report, signal, adjacency);
+  const hatched = await hatch(read, report, { signal, adjacency, hidden });
   const { model: made } = hatched;
   if ('extras' in read && read.extras) {
     // A scene is scaled to radius 1 here; a mesh was when it was read.
     made.extras = read.kind === 'parts' ? movedExtras(read.extras, made.root.matrix) : read.extras;
   }
   const { triangles, degenerateTriangles } = hatched.model.statistics;
-  if (degenerateTriangles < triangles) return hatched;
+  const isAllHidden = triangles === 0 && (made.parts?.hidden.length ?? 0) > 0;
+  if (degenerateTriangles < triangles || isAllHidden) return hatched;
   hatched.model.dispose();
   throw new ModelError('There is nothing to draw: none of the triangles has an area.');
 }
@@ -43,15 +47,15 @@ export async function buildModel(
 async function hatch(
   read: ReadModel | BuiltInScene,
   report: Report,
-  signal: AbortSignal,
-  adjacency: boolean,
+  options: { signal: AbortSignal; adjacency: boolean; hidden: ChooseHidden | undefined },
 ): Promise<{ model: HatchedModel; notes: string[] }> {
+  const { signal } = options;
   if (read.kind === 'mesh') {
     const count = triangleCount(read.mesh).toLocaleString('en');
     const onProgress = (progress: number): void => report(`joining ${count} triangles`, progress);
     try {
       const { modelOfMesh } = await import('./modelOfMesh.js');
-      const model = await modelOfMesh(read.mesh, { adjacency, signal, onProgress }, read);
+      const model = await modelOfMesh(read.mesh, { ...options, onProgress }, read);
       return { model, notes: read.notes };
     } catch (error) {
       signal.throwIfAborted();
@@ -72,7 +76,7 @@ async function hatch(
     const onGeometry = (done: number, total: number): void => {
       if (total > 1) stage = `joining triangles, ${done} of ${total} meshes are done`;
     };
-    const { model, notes } = await modelOfScene(scene, { usual, adjacency, signal, onProgress, onGeometry });
+    const { model, notes } = await modelOfScene(scene, { ...options, usual, onProgress, onGeometry });
     return { model, notes: [...('notes' in read ? read.notes : []), ...notes] };
   } catch (error) {
     signal.throwIfAborted();

@@ -5,9 +5,9 @@ export function meshesOf(root: Object3D): Mesh[] {
   return root.getObjectsByProperty('isMesh', true) as Mesh[];
 }
 
-/** The visible meshes: neither hidden nor fully transparent. Glass counts as visible. */
+/** The visible meshes: neither hidden, nor on no layer, nor fully transparent. Glass counts as visible. */
 export const drawnMeshes = (root: Object3D): Mesh[] =>
-  meshesOf(root).filter((mesh) => isShown(mesh, root) && materialsOf(mesh).some(isSeen));
+  meshesOf(root).filter((mesh) => isShown(mesh, root) && mesh.layers.mask !== 0 && materialsOf(mesh).some(isSeen));
 
 /** Marks the vertices of triangles whose material is visible. */
 export function drawnVertices(mesh: Mesh): Uint8Array {

@@ -1,28 +1,13 @@
-import {
-  Box3,
-  type BufferGeometry,
-  DoubleSide,
-  FrontSide,
-  Group,
-  Mesh,
-  type Side,
-  SRGBColorSpace,
-  Texture,
-} from 'three';
-import {
-  HatchingComposition,
-  HatchingMaterial,
-  type HatchingMaterialParameters,
-  HatchingOutlines,
-  SceneExtent,
-} from 'three-hatching';
+import { Box3, type BufferGeometry, Group, Mesh, type Side, SRGBColorSpace, Texture, Vector3, DoubleSide, FrontSide } from 'three';
+import { HatchingComposition, HatchingMaterial, type HatchingMaterialParameters, HatchingOutlines, SceneExtent } from 'three-hatching';
 import { packedSide, packedSides } from '../../mesh/occlusion/occlusionSides.js';
 import { cleanMesh } from '../files/mesh/cleanMesh.js';
-import { type PictureRange, type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
+import { boundsOf as boundsOfPoints, type PictureRange, type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
 import type { ReadMesh } from '../files/readModel.js';
 import { bakeMesh } from './bakeMesh.js';
 import { HatchedModel } from './HatchedModel.js';
+import { type ChooseHidden, partsOfMesh, withoutParts } from './ModelParts.js';
 import { meshesOf, someVertices } from './meshes.js';
 import { statisticsOf } from './statistics.js';
 
@@ -58,13 +43,24 @@ const sizeOf = ([sides]: Uint8Array, { positions }: PlainMesh): number => 1 + (s
 /**
  * Makes a hatched model of one mesh, with a material per range. See-through ranges become a separate mesh, which casts no shadow.
  *
- * @param known pictures of the ranges, whose bitmaps the model owns from now on, the up axis, and occlusion
+ * @param options.hidden chooses the parts that are left out; the rest stays where it is
+ * @param known pictures of the ranges, whose bitmaps are closed with the last model that has them, the up axis, and occlusion
  */
 export async function modelOfMesh(
-  mesh: PlainMesh,
-  options: { adjacency?: boolean; signal: AbortSignal; onProgress: (progress: number) => void },
+  whole: PlainMesh,
+  {
+    hidden: chooseHidden,
+    ...options
+  }: {
+    hidden?: ChooseHidden | undefined;
+    adjacency?: boolean;
+    signal: AbortSignal;
+    onProgress: (progress: number) => void;
+  },
   { pictures = [], stands, occlusion }: Partial<Pick<ReadMesh, 'pictures' | 'stands' | 'occlusion'>> = {},
 ): Promise<HatchedModel> {
+  const hidden = whole.parts && chooseHidden ? chooseHidden(whole.parts.names) : [];
+  const mesh = withoutParts(whole, hidden);
   const root = new Group();
   const textures = pictures.map((picture) => picture && textureOf(picture));
   const materials: HatchingMaterial[] = [];
@@ -74,7 +70,7 @@ export async function modelOfMesh(
     for (const { geometry } of meshesOf(root)) geometry.dispose();
     for (const material of materials) material.dispose();
   };
-  const parts = partsOf(mesh);
+  const parts = partsOf(mesh).filter((part) => triangleCount(part) > 0);
   let begun = 0;
   for (const part of parts) {
     const share = triangleCount(part) / triangleCount(mesh);
@@ -97,8 +93,7 @@ export async function modelOfMesh(
       throw error;
     }
   }
-  const bounds = boundsOf(meshesOf(root));
-  const solid = boundsOf(meshesOf(root).filter(({ material }) => [material].flat().some((one) => !one.transparent)));
+  const { bounds, solid } = hidden.length > 0 ? boundsOfWhole(whole) : boundsOfMeshes(meshesOf(root));
   const composition = new HatchingComposition();
   composition.extent = new SceneExtent(root, bounds);
   for (const material of materials) material.composition = composition;
@@ -108,7 +103,7 @@ export async function modelOfMesh(
   const model = new HatchedModel(
     root,
     solid.isEmpty() ? bounds : solid,
-    someVertices(mesh.positions),
+    someVertices(whole.positions),
     stands,
     statisticsOf(root),
     undefined,
@@ -116,11 +111,47 @@ export async function modelOfMesh(
     outlines,
     () => {
       free();
-      for (const picture of pictures) picture?.bitmap.close();
+      for (const picture of pictures) if (picture) giveBack(picture);
     },
   );
+  for (const picture of pictures) if (picture) users.set(picture, (users.get(picture) ?? 0) + 1);
+  model.parts = partsOfMesh(whole, hidden, root);
   model.isOccluded = isOccluded;
   return model;
+}
+
+/** The number of models that have a picture. */
+const users = new WeakMap<MeshPicture, number>();
+
+/** Closes a picture that no other model has. */
+function giveBack(picture: MeshPicture): void {
+  const others = (users.get(picture) ?? 1) - 1;
+  users.set(picture, others);
+  if (others === 0) picture.bitmap.close();
+}
+
+/** The bounds of a model, and those of its solid parts, on which it stands. */
+interface Bounds {
+  bounds: Box3;
+  solid: Box3;
+}
+
+function boundsOfMeshes(meshes: readonly Mesh[]): Bounds {
+  const solid = meshes.filter(({ material }) => [material].flat().some((one) => !one.transparent));
+  return { bounds: boundsOf(meshes), solid: boundsOf(solid) };
+}
+
+function boundsOfWhole({ positions, indices, ranges = [] }: PlainMesh): Bounds {
+  const { low, high } = boundsOfPoints(positions);
+  const bounds = new Box3(new Vector3(...low), new Vector3(...high));
+  if (!ranges.some(({ isSeeThrough }) => isSeeThrough)) return { bounds, solid: bounds };
+  const solid = new Box3();
+  const point = new Vector3();
+  for (const { start, count, isSeeThrough } of ranges) {
+    for (let corner = start; corner < start + count && !isSeeThrough; corner++)
+      solid.expandByPoint(point.fromArray(positions, 3 * indices![corner]));
+  }
+  return { bounds, solid };
 }
 
 const boundsOf = (meshes: readonly Mesh[]): Box3 =>

@@ -13,14 +13,17 @@ import {
 } from 'three';
 import { applyHatching } from 'three-hatching';
 import { counted } from '../files/common/ModelError.js';
+import { partNames } from '../files/common/partNames.js';
 import { Slices } from '../files/common/Slices.js';
 import type { ModelScene } from '../files/gltf/parseGltf.js';
 import { findUpAxis, type UsualUp } from '../files/mesh/findUpAxis.js';
 import { measureExtent } from '../files/mesh/fitModel.js';
 import { checkTriangleCount, thinNote } from '../files/mesh/PlainMesh.js';
+import { meshNames } from '../files/scenes/meshNames.js';
 import { repairScene } from '../files/scenes/repairGeometry.js';
 import { resolveAlpha } from '../files/scenes/resolveAlpha.js';
 import { HatchedModel } from './HatchedModel.js';
+import { type ChooseHidden, SceneParts } from './ModelParts.js';
 import { Motion } from './Motion.js';
 import { freeGraphics } from './materials.js';
 import { carryingBox, drawnMeshes, drawnVertices, meshesOf, placements, standingBox } from './meshes.js';
@@ -66,7 +69,7 @@ const MAX_POINTS = 20_000;
  * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines, points and lights are hidden, because the page
  * draws no lines and has its own lights.
  *
- * @param options `usual` is the common up axis of the format; undefined if the file states it
+ * @param options `usual` is the common up axis of the format; undefined if the file states it. `hidden` chooses the parts that are hidden
  * @returns the model, and notes for the caption about meshes and clips that were left out, for instance because of NaN values
  * @throws ModelError with one sentence for the user
  */
@@ -74,8 +77,10 @@ export async function modelOfScene(
   { root, animations }: ModelScene,
   {
     usual,
+    hidden,
     ...options
   }: {
+    hidden?: ChooseHidden | undefined;
     usual?: UsualUp | undefined;
     adjacency?: boolean;
     signal: AbortSignal;
@@ -130,6 +135,11 @@ export async function modelOfScene(
       freeGraphics(root);
     },
   );
+  const meshes = meshesOf(root).filter(({ visible }) => visible);
+  if (meshes.length > 1) {
+    model.parts = new SceneParts(partNames(meshNames(root, meshes)), meshes);
+    model.parts.hide?.(hidden?.(model.parts.names) ?? []);
+  }
   const notes = [...alphaNotes, ...thinNote(points, null, share)];
   return { model, notes: [...notes, ...leftOut(damaged.length, animations.length - usable.length)] };
 }

@@ -40,7 +40,8 @@ export interface HowRead extends Pick<ModelChoice, 'asWritten'> {
 export const isReadAlike = (a: HowRead, b: HowRead): boolean =>
   a.variant === b.variant && isSameList(a.asWritten, b.asWritten);
 
-const isSameList = (a: readonly unknown[] = [], b: readonly unknown[] = []): boolean =>
+/** Whether two lists have the same values. */
+export const isSameList = (a: readonly unknown[] = [], b: readonly unknown[] = []): boolean =>
   a === b || (a.length === b.length && a.every((value, i) => value === b[i]));
 
 /** What a link brings back. */
