@@ -56,8 +56,10 @@ void main() {
   vec4 diffuseColor = vec4(diffuse, opacity);
   #include <clipping_planes_fragment>
   #include <logdepthbuf_fragment>
-  #include <map_fragment>
   #include <color_fragment>
+  vec3 plainColor = diffuseColor.rgb;
+  #include <map_fragment>
+  vec3 toned = tonedColor(plainColor, diffuseColor.rgb);
   #include <alphamap_fragment>
 
   vec3 totalEmissiveRadiance = emissiveIntensity * emissive;
@@ -69,7 +71,7 @@ void main() {
   #endif // TONE_NORMAL
   HatchingSurface material = HatchingSurface(
     normal, readToneNormals(normal, faceDirection), PerToneNormal(0.0), PerToneNormal(0.0),
-    localDarkness(diffuseColor.rgb, totalEmissiveRadiance), planeness(normal)
+    localDarkness(toned, totalEmissiveRadiance), planeness(normal)
   );
   #ifdef DISSOLVES_SHADOWS
     readSoftShadows(-vViewPosition);

@@ -40,6 +40,7 @@ export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, Hatch
   paperOpacity: { measure: 'share' },
   exposure: { measure: 'factor' },
   exposureCompensation: { measure: 'factor', when: { exposure: ['fit', 'auto'] } },
+  plannedValues: { measure: 'share', when: { exposure: ['fit', 'auto'] } },
   depthFade: { measure: 'share' },
   depthFadeStart: { measure: 'depths', when: { depthFade: { not: 0 } } },
   depthFadeEnd: { measure: 'depths', when: { depthFade: { not: 0 } } },

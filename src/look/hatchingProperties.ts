@@ -320,6 +320,7 @@ export const HATCHING_PROPERTIES = {
   },
   exposure: { kind: 'number', default: 1, owner: 'composition', range: { above: 0 }, words: ['fit', 'auto'] },
   exposureCompensation: { kind: 'number', default: 1, owner: 'composition', range: { above: 0 } },
+  plannedValues: { kind: 'number', default: 1, owner: 'composition', range: { from: 0, to: 1 } },
   depthFade: {
     kind: 'number',
     default: 'auto',

@@ -14,9 +14,10 @@ import {
 } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import { familyOf } from '../look/presetParameters.js';
 import { hasOwner, runsAway } from '../look/queries.js';
 import { axisAngle } from '../look/vectors.js';
-import { isFitted } from './exposure/ToneFit.js';
+import { isFitted, LUMINANCE, writeFilter } from './exposure/ToneFit.js';
 import { createFadingUniforms } from './fading/fading.js';
 import { curveEnds, fittedCurve, type ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
@@ -62,6 +63,7 @@ export function createHatchingUniforms(): Uniforms {
       inked: { value: 1 },
       blendCosine: { value: 0 },
       colorExposure: { value: 1 },
+      colorFilter: { value: new Vector4() },
       exposure: { value: new Vector2(1, 0) },
       highlightRamp: { value: new Vector2() },
       layerTurns: { value: new Vector4() },
@@ -69,10 +71,13 @@ export function createHatchingUniforms(): Uniforms {
       strokeDirection: { value: new Vector2() },
       strokeTransform: { value: new Matrix3() },
       texelPixels: { value: 1 },
+      mapBlur: { value: 0 },
       toneCurveCubics: { value: null },
       toneCurveSpans: { value: null },
       toneCurveStart: { value: 0 },
       toneEnds: { value: new Vector2(0, 1) },
+      valueBends: { value: new Vector4() },
+      valueKnots: { value: new Vector4() },
       viewportHeight: { value: 1 },
       // Tonal art map.
       thresholdMap: { value: null },
@@ -171,6 +176,24 @@ export function writeSizeUniforms(
   write(u.lineSpacing, onScreen * material.lineSpacing);
   write(u.strokeLength, onScreen * material.strokeLength);
   write(u.minLineSpacing, Math.max(pixelRatio * material.minLineSpacing, MIN_SPACING));
+  write(u.mapBlur, mapBlurOf(material, strokeTexels, pixelRatio));
+}
+
+/** How far apart strokes of a map and dots count as, in widths of theirs. */
+const WIDTHS_APART = 3;
+
+/**
+ * How many levels coarser a map is read for its tone than the screen shows it: details finer than four spacings of the strokes are left
+ * out. 0 where colours are measured, not planned.
+ *
+ * @param strokeTexels the width of the strokes of the tonal art map
+ * @param pixelRatio pixels of the render target per CSS pixel
+ */
+export function mapBlurOf(material: HatchingMaterialProperties, strokeTexels: number, pixelRatio: number): number {
+  if (!isFitted(material)) return 0;
+  const { technique, lineSpacing, strokeWidth, composition } = material;
+  const spacing = familyOf(technique) === 'lines' ? lineSpacing : WIDTHS_APART * (strokeWidth ?? strokeTexels);
+  return composition.plannedValues * Math.max(Math.log2(2 * spacing * pixelRatio), 0);
 }
 
 /**
@@ -225,6 +248,7 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   const { exposure, exposureCompensation } = material.composition;
   u.exposure.value.set(typeof exposure === 'number' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
   u.colorExposure.value = 1;
+  writeFilter(LUMINANCE, 0, u.colorFilter.value);
   const ramp = u.highlightRamp.value.set(
     0.5 / highlightReach,
     0.5 - (0.5 * material.highlightThreshold) / highlightReach,

@@ -26,6 +26,7 @@ import { halfSpread, strokeSpacing } from './measures/strokeSpacing.js';
 import type { Vector } from './measures/vector.js';
 import { measurePrintedStrokes, type PrintedStrokes } from './printedStrokes.js';
 import { SurfaceCamera, TO_LIGHT } from './SurfaceCamera.js';
+import { measureScene, type SceneValues } from './sceneValues.js';
 import { type ModelValues, measuredModels, measureValues } from './valueShares.js';
 import { measureWalls, type WallMeasure } from './walls.js';
 
@@ -81,6 +82,7 @@ declare global {
     measureFlatTones(): Promise<FlatTones>;
     measuredModels: typeof measuredModels;
     measureValues(source: Parameters<typeof measureValues>[1]): Promise<ModelValues>;
+    measureScene(source: Parameters<typeof measureScene>[1], planned: number): Promise<SceneValues>;
     measurePrintedStrokes(): Promise<PrintedStrokes[]>;
     measureLines: typeof measureLines;
     /** Measures the named looks; all by default. */
@@ -119,6 +121,11 @@ window.measuredModels = measuredModels;
 window.measureValues = async (source) => {
   await HatchingMaterial.preload();
   return measureValues(renderer, source);
+};
+
+window.measureScene = async (...args) => {
+  await HatchingMaterial.preload();
+  return measureScene(renderer, ...args);
 };
 
 window.measureFlatTones = async () => {

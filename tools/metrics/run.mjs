@@ -2,6 +2,8 @@
  * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/research/metrics.md and
  * docs/research/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
  * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark, and `strokes` printed strokes.
+ * `npm run metrics -- values car Fox` prints how scenes of many parts are told apart, with values as planned and as measured, and draws them into
+ * tests/output/values; without names those of all scenes after the shares.
  * `npm run metrics -- walls` measures how even a plain wall is in every look, and `walls pen woodcut` in some.
  * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/research/metrics.md anew; `lines bunny pen` draws some.
  */
@@ -15,6 +17,7 @@ import { launchOptions } from '../browser/launchOptions.mjs';
 import { describeMetrics, drawMetrics } from './describeMetrics.mjs';
 import { measureAllLines, missedLines, withLines } from './lines.mjs';
 import { isKept, requirements } from './requirements.mjs';
+import { describeScenes, missedScenes } from './sceneWindows.mjs';
 import { missedValues } from './valueWindows.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -37,6 +40,9 @@ const FILES = {
   spot: ['spot.obj'],
 };
 
+/** Those of them that have several colours. */
+const SEVERAL_COLOURS = ['Fox', 'CesiumMan', 'Lantern', 'VertexColorTest'];
+
 const everything = { edges: true, light: true, camera: true };
 const standing = { edges: true, light: true, camera: false };
 const plans = {
@@ -55,12 +61,13 @@ const plans = {
 const wanted = process.argv.slice(2);
 const onlyLines = wanted[0] === 'lines';
 const onlyWalls = wanted[0] === 'walls';
-for (const name of onlyLines || onlyWalls ? [] : wanted) {
+const onlyScenes = wanted[0] === 'values' && wanted.length > 1;
+for (const name of onlyLines || onlyWalls || onlyScenes ? [] : wanted) {
   if (!(name in plans) && !['values', 'strokes'].includes(name))
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
 }
 const models = Object.keys(plans).filter(
-  (name) => wanted.length === 0 || (!onlyLines && !onlyWalls && wanted.includes(name)),
+  (name) => wanted.length === 0 || (!onlyLines && !onlyWalls && !onlyScenes && wanted.includes(name)),
 );
 
 const server = await createServer({
@@ -83,6 +90,8 @@ let lines;
 let walls;
 /** Shares of values by model; undefined where only strokes are measured. */
 let values;
+/** Values of scenes of many parts, planned and measured. */
+let scenes;
 try {
   const page = await browser.newPage();
   page.on('console', (message) => {
@@ -103,7 +112,8 @@ try {
     );
     console.log(`${name}: ${((performance.now() - start) / 1000).toFixed(0)} s`);
   }
-  if (wanted.length === 0 || wanted.includes('values')) values = await measureAllValues(page);
+  if (wanted.length === 0 || (wanted.includes('values') && !onlyScenes)) values = await measureAllValues(page);
+  if (wanted.length === 0 || wanted[0] === 'values') scenes = await measureScenes(page, wanted.slice(1));
   if (wanted.length === 0) flatTones = await page.evaluate(() => window.measureFlatTones());
   if (wanted.length === 0 || wanted.includes('strokes'))
     printedStrokes = await page.evaluate(() => window.measurePrintedStrokes());
@@ -116,7 +126,7 @@ try {
 }
 
 const { renderer } = await describeRenderer();
-const report = { renderer, models: measured, flatTones, printedStrokes, walls, values, lines };
+const report = { renderer, models: measured, flatTones, printedStrokes, walls, values, scenes, lines };
 mkdirSync(join(root, 'tests/output'), { recursive: true });
 writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
 if (wanted.length === 0) {
@@ -140,6 +150,11 @@ if (lines) {
   for (const line of missed) console.log(`MISSED  ${line}`);
   if (missed.length > 0) process.exitCode = 1;
 }
+if (scenes) {
+  const missed = missedScenes(scenes);
+  for (const line of [...describeScenes(scenes), ...missed.map((line) => `MISSED  ${line}`)]) console.log(line);
+  if (missed.length > 0) process.exitCode = 1;
+}
 if (values) {
   const missed = missedValues(values);
   for (const line of missed) console.log(`MISSED  ${line}`);
@@ -157,6 +172,40 @@ for (const requirement of requirements) {
       `${kept ? 'kept  ' : 'MISSED'}  ${technique}, ${name}: ${found.value.toPrecision(3)} on ${found.model}, required ${atLeast ? '≥' : '≤'} ${limits[technique].toPrecision(3)}; adjacency ${beside?.value.toPrecision(3)} on ${beside?.model}`,
     );
   }
+}
+
+/** Values of scenes that are made here and of files of other people, planned and measured. Each is drawn into tests/output/values. */
+async function measureScenes(page, names) {
+  const { valueScenes } = await server.ssrLoadModule('/tools/modelFiles/valueScenes.ts');
+  const sources = Object.entries(valueScenes()).map(([name, bytes]) => [
+    name,
+    [{ name: `${name}.glb`, base64: Buffer.from(bytes).toString('base64') }],
+  ]);
+  const folder = join(root, '../shared/models');
+  for (const name of existsSync(folder) ? SEVERAL_COLOURS : [])
+    sources.push([
+      name,
+      FILES[name].map((file) => ({ name: file, base64: readFileSync(join(folder, file), 'base64') })),
+    ]);
+  const found = {};
+  const output = join(root, 'tests/output/values');
+  mkdirSync(output, { recursive: true });
+  for (const [name, source] of sources) {
+    if (names.length > 0 && !names.includes(name)) continue;
+    found[name] = {};
+    for (const [kind, share] of [
+      ['planned', 1],
+      ['measured', 0],
+    ]) {
+      const { picture, ...measures } = await page.evaluate(
+        ([source, share]) => window.measureScene(source, share),
+        [source, share],
+      );
+      writeFileSync(join(output, `${name}-${kind}.png`), Buffer.from(picture.split(',')[1], 'base64'));
+      found[name][kind] = measures;
+    }
+  }
+  return found;
 }
 
 /** Shares of values of the models of the page, and of the files of other people that lie beside the repository. */

@@ -22,6 +22,9 @@ export interface ValueShares {
 /** The shares of every preset, with fitted exposure and with the light as it is. */
 export type ModelValues = Record<PresetName, { auto: ValueShares; fixed: ValueShares }>;
 
+/** A model of the page, or files. */
+export type ValueSource = BuiltInModel | readonly FileText[];
+
 /** A file as the command reads it. */
 interface FileText {
   name: string;
@@ -42,14 +45,9 @@ export const measuredModels = (): BuiltInModel[] =>
 
 /**
  * Draws the tones of a model as the page shows it when it is opened, in a light that suits the view, without shadows and without occlusion.
- *
- * @param source a model of the page, or files
  */
-export async function measureValues(
-  renderer: WebGLRenderer,
-  source: BuiltInModel | readonly FileText[],
-): Promise<ModelValues> {
-  const { model, view } = await load(source);
+export async function measureValues(renderer: WebGLRenderer, source: ValueSource): Promise<ModelValues> {
+  const { model, view } = await loadSource(source);
   const scene = new Scene();
   scene.add(model.root);
   const camera = createCamera();
@@ -86,8 +84,8 @@ function lightestOf(name: PresetName): number {
 const materialsOf = ({ root }: HatchedModel): HatchingMaterial[] =>
   meshesOf(root).flatMap(({ material }) => material as HatchingMaterial | HatchingMaterial[]);
 
-async function load(
-  source: BuiltInModel | readonly FileText[],
+export async function loadSource(
+  source: ValueSource,
 ): Promise<{ model: HatchedModel; view: readonly [number, number, number] }> {
   const options = { signal: new AbortController().signal, onStage: () => {} };
   const builtIn = typeof source === 'string' ? BUILT_IN_MODELS[source] : undefined;

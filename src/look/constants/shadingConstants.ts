@@ -32,6 +32,9 @@ export const TONE_CONSTANTS = {
   LEAST_RESPONSE: 0.05,
   /** Light weaker than this counts as unshadowed. */
   NO_LIGHT: 1e-6,
+
+  /** Alpha of a coarser level of a map below which some of it is cut out. */
+  OPAQUE_TEXEL: 0.99,
 } as const;
 
 /** Constants of soft shadows, for the processor and, as defines, for the shaders. */

@@ -9,13 +9,15 @@ import {
   type SkinnedMesh,
   Vector3,
 } from 'three';
+import { lightness, luminanceOf } from '../../look/vectors.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { type Arriving, LightsAround } from './LightsAround.js';
-import { lightnessOf } from './luminances.js';
 import { openToLamps } from './openToLamps.js';
+import { colorWriter } from './pixelColors.js';
+import { planValues, WeightedColors } from './planValues.js';
 import { SceneContents } from './SceneContents.js';
 import { type SurfaceSamples, surfaceSamples } from './surfaceSamples.js';
-import type { ToneFit } from './ToneFit.js';
+import { NO_PLAN, type ToneFit } from './ToneFit.js';
 
 /** The number of bins: finer than differences of tone that are visible. */
 const BINS = 4096;
@@ -100,7 +102,11 @@ const MAX_CONTRAST = 4;
  * @param wanted the radiance that it is fitted to: that of a sphere in a single light of intensity π
  * @param lightness the lightness of the surfaces' colours, as far as it becomes tone
  */
-export function fitTones(arriving: WeightedValues, wanted: WeightedValues, lightness: WeightedValues): ToneFit {
+export function fitTones(
+  arriving: WeightedValues,
+  wanted: WeightedValues,
+  lightness: WeightedValues,
+): Omit<ToneFit, 'plan'> {
   const white = lightness.isEmpty ? 1 : Math.min(1, Math.max(MIN_WHITE, lightness.quantile(WHITE)));
   const bright = arriving.quantile(BRIGHT);
   const wantedBright = wanted.quantile(BRIGHT);
@@ -138,16 +144,17 @@ interface Place {
 }
 
 /** The luminance that a surface emits; 0 if it has an emissive map. */
-const luminanceOf = ({ emissive: { r, g, b }, emissiveIntensity, emissiveMap }: HatchingMaterialProperties): number =>
-  emissiveMap ? 0 : emissiveIntensity * (0.2126 * r + 0.7152 * g + 0.0722 * b);
+const emittedBy = ({ emissive, emissiveIntensity, emissiveMap }: HatchingMaterialProperties): number =>
+  emissiveMap ? 0 : emissiveIntensity * luminanceOf(emissive);
 
 /** The exposure of a scene, fitted to its lights and kept until something changes. */
 export class ExposureFit {
-  readonly fit: ToneFit = { scale: 1, offset: 0, white: 1 };
+  readonly fit: ToneFit = { scale: 1, offset: 0, white: 1, plan: NO_PLAN };
   private readonly contents = new SceneContents();
   private readonly arriving = new WeightedValues();
   private readonly wanted = new WeightedValues();
   private readonly lightness = new WeightedValues();
+  private readonly colors = new WeightedColors();
   private isStale = true;
 
   /**
@@ -158,14 +165,14 @@ export class ExposureFit {
   update(scene: Object3D, layers: number): ToneFit {
     if (!this.contents.read(scene, layers) && !this.isStale) return this.fit;
     this.isStale = false;
-    const { arriving, wanted, lightness, contents } = this;
-    for (const values of [arriving, wanted, lightness]) values.clear();
+    const { arriving, wanted, lightness, colors, contents } = this;
+    for (const values of [arriving, wanted, lightness, colors]) values.clear();
     const places = placesOf(contents);
     const lights = new LightsAround(contents);
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
-    for (const place of places) addPlace(arriving, lightness, place, lights, area);
+    for (const place of places) addPlace({ arriving, lightness, colors }, place, lights, area);
     for (const [material, share] of responsesOf(places)) addSphere(wanted, material, share);
-    return Object.assign(this.fit, fitTones(arriving, wanted, lightness));
+    return Object.assign(this.fit, fitTones(arriving, wanted, lightness), { plan: planValues(colors.means) });
   }
 }
 
@@ -224,21 +231,24 @@ const normal = /* @__PURE__ */ new Vector3();
 const toWorldNormal = /* @__PURE__ */ new Matrix3();
 const light: Arriving = { direct: 0, indirect: 0, reflected: 0 };
 
+/** What is known of the surfaces of a scene, by their area. */
+interface Seen {
+  arriving: WeightedValues;
+  lightness: WeightedValues;
+  colors: WeightedColors;
+}
+
+const color = /* @__PURE__ */ new Float64Array(3);
+
 /** Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. */
-function addPlace(
-  arriving: WeightedValues,
-  lightness: WeightedValues,
-  place: Place,
-  lights: LightsAround,
-  all: number,
-): void {
+function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number): void {
   const { samples, material, toWorld, weight } = place;
   const { positions, normals, occlusion } = samples;
   const share = (place.area * weight) / all;
   const count = Math.max(1, Math.min(samples.count, Math.round(MAX_SAMPLES * share)));
   const isHalfLambert = material.toneModel === 'halfLambert';
-  const emitted = luminanceOf(material);
-  const lightnessAt = material.colorHatching > 0 ? lightnessOf(material, samples) : () => 1;
+  const emitted = emittedBy(material);
+  const writeColor = material.colorHatching > 0 ? colorWriter(material, samples) : null;
   const determinant = Math.abs(toWorld.determinant());
   toWorldNormal.getNormalMatrix(toWorld);
   for (let i = 0; i < count; i++) {
@@ -251,15 +261,20 @@ function addPlace(
     const first = material.side === BackSide ? 1 : 0;
     if (first === 1) normal.negate();
     const area = (weight * samples.area * determinant * stretched) / count;
-    lightness.add(lightnessAt(i), area);
+    color.fill(1);
+    writeColor?.(i, color);
+    const luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+    seen.lightness.add(lightness(Math.min(luminance, 1)), area);
     for (let side = first; side < first + sides; side++) {
       const occluded = occlusion[2 * i + side];
+      // What lies in a hollow is hardly seen.
+      seen.colors.add(color, (area * (1 - occluded)) / sides);
       const open = openToLamps(occluded, material.occlusion);
       const openToSky = 1 - material.occlusion * occluded;
       lights.arriveAt(position, normal, isHalfLambert, light);
       const around = light.indirect + material.reflectedLight * light.reflected;
       const radiance = open * light.direct + openToSky * around + emitted;
-      arriving.add(radiance, area / sides);
+      seen.arriving.add(radiance, area / sides);
       normal.negate();
     }
   }

@@ -1,4 +1,4 @@
-import type { IUniform } from 'three';
+import type { IUniform, Vector4 } from 'three';
 import { PRESET_MATERIALS } from '../../look/presetMaterials.js';
 import type { HatchingLook } from '../../look/queries.js';
 import type { ToneCurve } from '../fitToneCurve.js';
@@ -11,16 +11,52 @@ export interface ToneFit {
   offset: number;
   /** The lightness of colours that are left blank, from 0, black, to 1, white (CIE lightness). Lighter colours are left blank too. */
   white: number;
+  /** The plan of values, from the colours of surfaces to darkness. */
+  plan: ValuePlan;
+}
+
+/**
+ * A plan of values: the darkness that the colours of a scene are drawn with, straight between a few lightnesses. The darkness of a
+ * lightness L is the sum of `bends[i]` times `knots[i]` − L, where that is above 0.
+ */
+export interface ValuePlan {
+  /** The weights of red, green and blue in the lightness, as of a filter before the lens. They make 1. */
+  readonly filter: readonly [red: number, green: number, blue: number];
+  /** The lightnesses at which the slope of the darkness changes. */
+  readonly knots: readonly [number, number, number, number];
+  /** By how much it becomes steeper there, towards black. */
+  readonly bends: readonly [number, number, number, number];
+}
+
+/** The weights of red, green and blue in the luminance, as in three.js. */
+export const LUMINANCE = [0.2126729, 0.7151522, 0.072175] as const;
+
+/** No plan: all is blank. */
+export const NO_PLAN: ValuePlan = { filter: LUMINANCE, knots: [0, 0, 0, 0], bends: [0, 0, 0, 0] };
+
+/** The numbers of a composition that a fit is written with. */
+interface FittedComposition {
+  readonly exposureCompensation: number;
+  readonly plannedValues: number;
 }
 
 /** Writes the exposure of a material from a fit. Allocates nothing. */
 export function writeFit(
-  fit: ToneFit,
-  { composition: { exposureCompensation } }: { readonly composition: { readonly exposureCompensation: number } },
-  { exposure, colorExposure }: Readonly<Record<string, IUniform>>,
+  { scale, offset, white, plan }: ToneFit,
+  { composition: { exposureCompensation, plannedValues } }: { readonly composition: FittedComposition },
+  { exposure, colorExposure, colorFilter, valueKnots, valueBends }: Readonly<Record<string, IUniform>>,
 ): void {
-  exposure.value.set(fit.scale, fit.offset).multiplyScalar(exposureCompensation);
-  colorExposure.value = 1 / fit.white;
+  exposure.value.set(scale, offset).multiplyScalar(exposureCompensation);
+  colorExposure.value = 1 / white;
+  writeFilter(plan.filter, plannedValues, colorFilter.value);
+  valueKnots.value.fromArray(plan.knots);
+  valueBends.value.fromArray(plan.bends);
+}
+
+/** Writes the weights of red, green and blue, and the share of the plan in the darkness. Allocates nothing. */
+export function writeFilter(filter: ValuePlan['filter'], planned: number, into: Vector4): void {
+  const [r, g, b] = LUMINANCE;
+  into.set(r + planned * (filter[0] - r), g + planned * (filter[1] - g), b + planned * (filter[2] - b), planned);
 }
 
 /** A cache of whether a tone curve is that of a preset. */

@@ -1,6 +1,6 @@
 import { type CubeTexture, type Texture, Vector3 } from 'three';
 import type { Harmonics } from '../../look/surroundings.js';
-import { type Luminances, luminances } from './luminances.js';
+import { type PixelColors, pixelColors } from './pixelColors.js';
 
 /** The greatest number of rows of an image that are sampled, and of columns. */
 const MAX_ROWS = 128;
@@ -41,7 +41,7 @@ function project(texture: Texture): Harmonics | undefined {
     // three.js mirrors cube textures of images, but not those of render targets.
     const mirror = texture.isRenderTargetTexture ? 1 : -1;
     for (const [face, image] of faces.entries()) {
-      const pixels = luminances(image, texture);
+      const pixels = pixelColors(image, texture);
       if (!pixels) return undefined;
       addImage(sums, pixels, (s, t) => {
         const [a, b] = [2 * s - 1, 2 * t - 1];
@@ -54,7 +54,7 @@ function project(texture: Texture): Harmonics | undefined {
       });
     }
   } else {
-    const pixels = luminances(texture.image, texture);
+    const pixels = pixelColors(texture.image, texture);
     if (!pixels || texture.isRenderTargetTexture) return undefined;
     addImage(sums, pixels, (s, t) => {
       const height = Math.PI * (texture.flipY ? 0.5 - t : t - 0.5);
@@ -72,7 +72,7 @@ function project(texture: Texture): Harmonics | undefined {
  */
 function addImage(
   sums: Float64Array,
-  { width, height, at }: Luminances,
+  { width, height, at }: PixelColors,
   place: (s: number, t: number) => number,
 ): void {
   const down = Math.max(1, Math.ceil(height / MAX_ROWS));
@@ -80,7 +80,7 @@ function addImage(
   for (let row = 0; row < height; row += down) {
     for (let column = 0; column < width; column += along) {
       const size = place((column + along / 2) / width, (row + down / 2) / height);
-      const light = size * at(column, row);
+      const light = size * (0.2126 * at(column, row, 0) + 0.7152 * at(column, row, 1) + 0.0722 * at(column, row, 2));
       if (!(light < Infinity)) continue;
       const { x, y, z } = direction;
       const basis = [

@@ -13,7 +13,7 @@ export interface SurfaceSamples {
   readonly normals: Float32Array;
   /** The baked ambient occlusion of the front, then of the back, of each sample; 0 without a bake. */
   readonly occlusion: Float32Array;
-  /** The luminance of the vertex colours, and the first texture coordinates, two per sample, if the geometry has them. */
+  /** The vertex colours, three numbers per sample, and the first texture coordinates, two, if the geometry has them. */
   readonly colors: Float32Array | undefined;
   readonly places: Float32Array | undefined;
 }
@@ -123,7 +123,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
   const normals = new Float32Array(3 * count);
   const occlusion = new Float32Array(2 * count);
   const { color, uv } = geometry.attributes;
-  const colors = color ? new Float32Array(count) : undefined;
+  const colors = color ? new Float32Array(3 * count) : undefined;
   const places = uv ? new Float32Array(2 * count) : undefined;
   let isFlat = true;
   for (let i = 0; i < count; i++) {
@@ -144,8 +144,11 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
       const baked = corners.occlusion(vertex);
       occlusion[2 * i] += share * occlusionOf(baked, false);
       occlusion[2 * i + 1] += share * occlusionOf(baked, true);
-      if (colors)
-        colors[i] += share * (0.2126 * color.getX(vertex) + 0.7152 * color.getY(vertex) + 0.0722 * color.getZ(vertex));
+      if (colors) {
+        colors[3 * i] += share * color.getX(vertex);
+        colors[3 * i + 1] += share * color.getY(vertex);
+        colors[3 * i + 2] += share * color.getZ(vertex);
+      }
       if (places) {
         places[2 * i] += share * uv.getX(vertex);
         places[2 * i + 1] += share * uv.getY(vertex);

@@ -19,6 +19,13 @@ export interface HatchingCompositionOptions {
    */
   exposureCompensation: number;
   /**
+   * How far the colours that `colorHatching` draws get their darkness from a plan of values of the scene, made with the
+   * fitted exposure: by rank, the lighter half of what is seen stays blank, and only the darkest is dark, so that light
+   * and shade are still read; details of maps that are finer than four spacings of lines are left out. At 0 each colour
+   * is as dark as it is measured. Share in [0, 1]. Default `1`. Only with `exposure` `'fit'` or `'auto'`.
+   */
+  plannedValues: number;
+  /**
    * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
    * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`.
    * `'auto'`: 0.7 in scenes that `applyHatching` hatched, where what is seen is more than three times as deep as the
@@ -69,6 +76,13 @@ export interface HatchingCompositionProperties {
    * Default `1`. Only with `exposure` `'fit'` or `'auto'`.
    */
   exposureCompensation: number;
+  /**
+   * How far the colours that `colorHatching` draws get their darkness from a plan of values of the scene, made with the
+   * fitted exposure: by rank, the lighter half of what is seen stays blank, and only the darkest is dark, so that light
+   * and shade are still read; details of maps that are finer than four spacings of lines are left out. At 0 each colour
+   * is as dark as it is measured. Share in [0, 1]. Default `1`. Only with `exposure` `'fit'` or `'auto'`.
+   */
+  plannedValues: number;
   /**
    * How much lines, strokes, outlines and colours fade towards the paper with their distance, as in air: those behind
    * are thinner and lighter, and outlines in front heavier than without. At 1 nothing is left at `depthFadeEnd`.

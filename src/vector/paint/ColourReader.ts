@@ -1,3 +1,4 @@
+import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { combined, cross, dot, normalize, timesVector, type Vec3 } from '../../look/vectors.js';
 import type { Projection } from '../Projection.js';
 import type { Mat3 } from '../shading/screenGradient.js';
@@ -5,6 +6,8 @@ import { localDarkness } from '../shading/tone.js';
 import { type EdgeProducts, PlaceInTriangle } from './DetailReader.js';
 import { MapSampler, type Rgba } from './MapSampler.js';
 import { type MapLook, type Paint, type PaintLook, type SurfaceDetails, TONE_MAPS } from './PaintLook.js';
+
+const { OPAQUE_TEXEL } = TONE_CONSTANTS;
 
 /** A place whose normal is modified by a map, world space. */
 export interface BentPlace {
@@ -79,18 +82,27 @@ export class ColourReader {
     const { look } = this;
     const { color, emissive, vertexColor: o } = look;
     const map = this.sample(look.map, numbers, footprint, reading);
-    const tint = (k: number): number => color[k] * map[k] * (o === null ? 1 : numbers[o + k]);
+    const drawn = this.coarse(map, numbers, footprint, reading);
+    const tint = (k: number): number => color[k] * drawn[k] * (o === null ? 1 : numbers[o + k]);
     const glow = this.sample(look.emissiveMap, numbers, footprint, reading);
     const emitted = luminance(emissive[0] * glow[0], emissive[1] * glow[1], emissive[2] * glow[2]);
     const light = look.lightMap ? this.sample(look.lightMap, numbers, footprint, reading) : NO_LIGHT;
     const occlusion = this.sample(look.aoMap, numbers, footprint, reading)[0];
     return {
-      darkness: localDarkness(luminance(tint(0), tint(1), tint(2)), emitted, look.colorHatching, look.colorExposure),
+      darkness: localDarkness([tint(0), tint(1), tint(2)], emitted, look.tones),
       emitted,
       around: (look.lightMapIntensity * luminance(light[0], light[1], light[2])) / Math.PI,
       open: 1 - look.aoMapIntensity * (1 - occlusion),
       alphaMargin: this.alphaMargin(numbers, map, this.sample(look.alphaMap, numbers, footprint, reading)),
     };
+  }
+
+  /** The colour of the map without details that are finer than lines can show; where it is cut out, as it is. The footprint is two pixels wide. */
+  private coarse(map: Rgba, numbers: ArrayLike<number>, footprint: number, reading: Reading): Rgba {
+    const { look } = this;
+    if (reading !== 'here' || look.mapBlur === 0) return map;
+    const coarse = this.sample(look.map, numbers, footprint * 2 ** (look.mapBlur - 1), reading);
+    return coarse[3] < OPAQUE_TEXEL ? map : coarse;
   }
 
   /** Whether a normal or bump map is in use, so that any tone may occur anywhere. */

@@ -1,5 +1,6 @@
 import type { Vec3 } from '../../look/vectors.js';
 import type { Mat3 } from '../shading/screenGradient.js';
+import type { ColorTones } from '../shading/tone.js';
 
 /** The pixels of a texture. */
 export interface ToneImage {
@@ -35,9 +36,10 @@ export interface PaintLook extends Readonly<Record<ToneMap, MapLook | null>> {
   opacity: number;
   /** Emissive colour. */
   emissive: Vec3;
-  /** The share of the colour's darkness that becomes tone, and the factor on its lightness. */
-  colorHatching: number;
-  colorExposure: number;
+  /** How the colour becomes darkness. */
+  tones: ColorTones;
+  /** How many levels coarser than the picture the map is read for it. */
+  mapBlur: number;
   /** Offset of the vertex colour (red, green, blue, alpha) in the details of a vertex; null for none. */
   vertexColor: number | null;
   aoMapIntensity: number;

@@ -1,6 +1,6 @@
 /** From light to the printed tone, as in tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl. */
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
-import { clamp01, lightness, mix, smoothstep } from '../../look/vectors.js';
+import { clamp01, lightness, mix, smoothstep, type Vec3 } from '../../look/vectors.js';
 
 const { CAVITY, HOLLOW } = TONE_CONSTANTS;
 
@@ -73,14 +73,30 @@ export function shadedTone(radiance: number, occluded: number, look: ToneLook): 
   return mix(tone, toneEnds[1] >= toneEnds[0] ? 1 : 0, hollowness);
 }
 
+/** The numbers that colours become darkness by, as in localColor.glsl. */
+export interface ColorTones {
+  /** The share of the darkness that becomes tone. */
+  colorHatching: number;
+  /** The factor on the lightness. */
+  colorExposure: number;
+  /** The weights of red, green and blue in the lightness, and the share of the plan of values in the darkness. */
+  colorFilter: readonly number[];
+  /** The plan of values: the lightnesses at which the slope of the darkness changes, and by how much. */
+  valueKnots: readonly number[];
+  valueBends: readonly number[];
+}
+
 /**
  * The darkness of a colour beside white, as far as it becomes tone.
  *
- * @param luminance of the colour, and `emitted` of the emitted light, both linear
+ * @param color linear
+ * @param emitted the luminance of the emitted light, linear
  */
-export const localDarkness = (
-  luminance: number,
-  emitted: number,
-  colorHatching: number,
-  colorExposure: number,
-): number => colorHatching * (1 - Math.min(colorExposure * lightness(clamp01(luminance)), 1)) * (1 - clamp01(emitted));
+export function localDarkness(color: Vec3, emitted: number, tones: ColorTones): number {
+  const { colorHatching, colorExposure, colorFilter, valueKnots, valueBends } = tones;
+  if (colorHatching === 0) return 0;
+  const [r, g, b, share] = colorFilter;
+  const light = lightness(clamp01(r * color[0] + g * color[1] + b * color[2]));
+  const planned = valueKnots.reduce((sum, knot, i) => sum + valueBends[i] * Math.max(knot - light, 0), 0);
+  return colorHatching * mix(1 - Math.min(colorExposure * light, 1), planned, share) * (1 - clamp01(emitted));
+}

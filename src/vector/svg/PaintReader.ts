@@ -10,8 +10,9 @@ import {
   type Texture,
 } from 'three';
 import { luminanceOf, type Vec3 } from '../../look/vectors.js';
-import { isFitted, type ToneFit } from '../../material/exposure/ToneFit.js';
+import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
+import { mapBlurOf } from '../../material/hatchingUniforms.js';
 import { isSharp, readImage } from '../../material/readImage.js';
 import {
   type MapLook,
@@ -22,6 +23,7 @@ import {
   type Wrapping,
 } from '../paint/PaintLook.js';
 import type { Mat3 } from '../shading/screenGradient.js';
+import { colorTonesOf } from './colorTones.js';
 import type { MeshCopy } from './meshCopies.js';
 import { rowsOf } from './surfaceFrame.js';
 
@@ -74,13 +76,13 @@ export class PaintReader {
       return texture && this.look(texture, first + 2 * channels.indexOf(texture.channel));
     };
     const hatched = 'isHatchingMaterial' in material ? (material as HatchingMaterial) : null;
-    const { emissive, emissiveIntensity = 0, colorHatching = 0 } = hatched ?? {};
+    const { emissive, emissiveIntensity = 0 } = hatched ?? {};
     return {
       color: material.color ? (material.color.toArray() as unknown as Vec3) : [1, 1, 1],
       opacity: isBlended(material) ? 1 : material.opacity,
       emissive: emissive ? (emissive.toArray().map((x) => x * emissiveIntensity) as unknown as Vec3) : [0, 0, 0],
-      colorHatching,
-      colorExposure: hatched && isFitted(hatched) ? 1 / hatched.composition.kept(this.fit).white : 1,
+      tones: colorTonesOf(hatched, this.fit),
+      mapBlur: hatched ? mapBlurOf(hatched, 1, 1) : 0,
       vertexColor: hasColors ? first + 2 * channels.length : null,
       ...(Object.fromEntries(TONE_MAPS.map((name) => [name, look(name)])) as Record<ToneMap, MapLook | null>),
       normalToWorld: hatched?.normalMapType === ObjectSpaceNormalMap ? normalsToWorld(copy) : null,

@@ -28,6 +28,7 @@ import type { GroundLook } from '../shading/groundShadow.js';
 import { meanLightAt } from '../shading/radiance.js';
 import { type CurveCubics, localDarkness } from '../shading/tone.js';
 import type { SurfaceLook } from '../ToneReader.js';
+import { colorTonesOf } from './colorTones.js';
 import type { SceneLights } from './readLights.js';
 import { opacityOf } from './seenThrough.js';
 
@@ -78,7 +79,7 @@ export function surfaceLookOf(
   fading: ObjectFading | null,
 ): SurfaceLook {
   const uniforms = uniformsOf(material);
-  const { color, emissive, emissiveIntensity, colorHatching, toneModel, toneCurve } = material;
+  const { color, emissive, emissiveIntensity, toneModel, toneCurve } = material;
   const { shininess, reflectedLight, occlusion, hollowStrength, toneSteps } = material;
   const emitted = emissiveIntensity * luminanceOf(emissive);
   const isFit = isFitted(material);
@@ -97,8 +98,7 @@ export function surfaceLookOf(
     occlusion,
     hollowStrength,
     ground: isOfShadows(material) ? groundOf(material) : null,
-    darkness:
-      colorHatching > 0 ? localDarkness(luminanceOf(color), emitted, colorHatching, isFit ? 1 / kept.white : 1) : 0,
+    darkness: localDarkness([color.r, color.g, color.b], emitted, colorTonesOf(material, fit)),
     opacity: opacityOf(material, geometry),
     ...{ shininess, reflectedLight, emitted, receivesShadows, fading },
   };

@@ -37,23 +37,56 @@ export const exposure: readonly Mutation[] = [
   {
     name: 'a compensation leaves what is added',
     file: 'src/material/exposure/ToneFit.ts',
-    find: '.set(fit.scale, fit.offset).multiplyScalar(exposureCompensation)',
-    replace: '.set(fit.scale * exposureCompensation, fit.offset)',
+    find: '.set(scale, offset).multiplyScalar(exposureCompensation)',
+    replace: '.set(scale * exposureCompensation, offset)',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/exposure/fitTones.test.ts',
-      title: 'a material takes a fit with its compensation, and its colours are divided by what is white',
+      title: 'a material takes a fit with its compensation, colours divided by what is white, and a share of the plan of values',
+    },
+  },
+  {
+    name: 'the light half of a scene is not left blank',
+    file: 'src/material/exposure/planValues.ts',
+    find: 'clamp01((share - BLANK) / (1 - BLANK))',
+    replace: 'clamp01(share)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/planValues.test.ts',
+      title: 'leaves the light colours of a car of 45 blank, and makes only the darkest dark',
+    },
+  },
+  {
+    name: 'masses of a scene are not told apart',
+    file: 'src/material/exposure/planValues.ts',
+    find: 'lighter.darkness + wanted',
+    replace: 'lighter.darkness',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/planValues.test.ts',
+      title: 'draws a fox of orange, white and dark brown with blank white, light orange and dark legs',
+    },
+  },
+  {
+    name: 'no filter is taken for colours of one lightness',
+    file: 'src/material/exposure/planValues.ts',
+    find: 'if (least <= 0) return found;',
+    replace: 'if (least <= 1) return found;',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/planValues.test.ts',
+      title: 'tells stripes of another hue and the same lightness apart',
     },
   },
   {
     name: 'colours are darkened by their white',
     file: 'src/material/exposure/ToneFit.ts',
-    find: '1 / fit.white',
-    replace: 'fit.white',
+    find: '1 / white',
+    replace: 'white',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/exposure/fitTones.test.ts',
-      title: 'a material takes a fit with its compensation, and its colours are divided by what is white',
+      title: 'a material takes a fit with its compensation, colours divided by what is white, and a share of the plan of values',
     },
   },
 ];

@@ -15,8 +15,8 @@ export const nodes: readonly Mutation[] = [
   {
     name: 'colours of nodes darken by their luminance',
     file: 'src/webgpu/nodes/chunks/tone.ts',
-    find: 'colorExposure.mul(lightness(clamp(lightLuminance(color), 0, 1)))',
-    replace: 'colorExposure.mul(clamp(lightLuminance(color), 0, 1))',
+    find: 'lightness(clamp(dot(colorFilter.xyz, color), 0, 1))',
+    replace: 'clamp(dot(colorFilter.xyz, color), 0, 1)',
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',

@@ -80,8 +80,8 @@ export const tone: readonly Mutation[] = [
   {
     name: 'colours darken by their luminance',
     file: 'shaders/chunks/localColor.glsl',
-    find: 'colorExposure * lightness(y.x)',
-    replace: 'colorExposure * y.x',
+    find: 'float light = lightness(y.x)',
+    replace: 'float light = y.x',
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/anchored.spec.ts',

@@ -154,6 +154,8 @@ const OTHER_FUNCTIONS: Record<string, readonly string[]> = {
 
 /** Uniforms that one side lacks, by chunk. */
 const OTHER_UNIFORMS: Record<string, readonly string[]> = {
+  // three.js transforms the coordinates of a map in the vertex shader.
+  'chunks/localColor.glsl': ['mapTransform'],
   // GLSL reads it in the chunk of the layout.
   'deformation.vert': ['triangleVertices'],
   // three.js' own uniform, which nodes read in sceneDepth; and only WebGPURenderer blends linear light on a canvas.
@@ -208,8 +210,16 @@ test('no chunk has two counterparts', () => {
 test('nodes read no uniform that no shader declares', () => {
   const declared = chunks.flatMap((chunk) => uniformsOf(readFileSync(`shaders/${chunk}`, 'utf8')));
   const strays = files.flatMap(uniformsOfNodes).filter((name) => !declared.includes(name));
-  // They are defines in GLSL, or derived from three.js' own uniforms; and only WebGPURenderer blends linear light on a canvas.
-  expect(unique(strays).sort()).toEqual(['canvasBlend', 'isDeformed', 'isInstanced', 'viewToObject']);
+  // They are defines in GLSL, declared by three.js or derived from its own uniforms; and only WebGPURenderer blends linear light on a
+  // canvas.
+  expect(unique(strays).sort()).toEqual([
+    'canvasBlend',
+    'isDeformed',
+    'isInstanced',
+    'map',
+    'mapTransform',
+    'viewToObject',
+  ]);
 });
 
 describe.each(chunks.filter(hasCounterpart))('the counterpart of %s', (chunk) => {

@@ -29,6 +29,18 @@ export const COMPOSITION = {
     when: { exposure: ['fit', 'auto'] },
     sentence: 'What the fitted exposure is multiplied by: above 1 for a lighter picture, below for a darker one.',
   },
+  plannedValues: {
+    kind: 'number',
+    group: 'Composition',
+    owner: 'composition',
+    default: 1,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    uniform: false,
+    when: { exposure: ['fit', 'auto'] },
+    sentence:
+      'How far the colours that `colorHatching` draws get their darkness from a plan of values of the scene, made with the fitted exposure: by rank, the lighter half of what is seen stays blank, and only the darkest is dark, so that light and shade are still read; details of maps that are finer than four spacings of lines are left out. At 0 each colour is as dark as it is measured ([lights-and-tone.md](lights-and-tone.md#a-plan-of-values)).',
+  },
   depthFade: {
     kind: 'number',
     group: 'Composition',

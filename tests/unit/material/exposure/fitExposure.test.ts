@@ -96,7 +96,7 @@ describe('lights', () => {
     expect(inside.scale).toBeCloseTo(1, 1);
     spot.target.position.set(50, 0, 50);
     const outside = fitExposure(sceneOf(new Mesh(ball, auto()), spot, new Group().add(spot.target)));
-    expect(outside).toEqual({ scale: 1, offset: 0, white: 1 });
+    expect(outside).toMatchObject({ scale: 1, offset: 0, white: 1 });
   });
 
   test('of a sky leave a range from its ground to its top', () => {
@@ -114,8 +114,8 @@ describe('lights', () => {
   });
 
   test('that there are none leaves all as it is', () => {
-    expect(fitExposure(sceneOf(new Mesh(ball, auto())))).toEqual({ scale: 1, offset: 0, white: 1 });
-    expect(fitExposure(new Scene())).toEqual({ scale: 1, offset: 0, white: 1 });
+    expect(fitExposure(sceneOf(new Mesh(ball, auto())))).toMatchObject({ scale: 1, offset: 0, white: 1 });
+    expect(fitExposure(new Scene())).toMatchObject({ scale: 1, offset: 0, white: 1 });
   });
 
   test('of an environment come from where its image is bright', () => {

@@ -10,6 +10,7 @@ import {
   type ToneModel,
 } from '../../../../src/vector/shading/radiance.js';
 import {
+  type ColorTones,
   localDarkness,
   openToLights,
   openToSky,
@@ -128,11 +129,35 @@ describe('the tone at a place is that of the reference', () => {
     }
   });
 
+  const measured: ColorTones = {
+    colorHatching: 1,
+    colorExposure: 1,
+    colorFilter: [0.2126, 0.7152, 0.0722, 0],
+    valueKnots: [0, 0, 0, 0],
+    valueBends: [0, 0, 0, 0],
+  };
+  /** The darkness of a grey. */
+  const darkness = (luminance: number, tones: Partial<ColorTones> = {}, emitted = 0): number =>
+    localDarkness([luminance, luminance, luminance], emitted, { ...measured, ...tones });
+
+  test('planned values are straight between the knots, behind a filter, and mix with those that are measured', () => {
+    const plan = { valueKnots: [0.8, 0.5, 0.2, 0], valueBends: [0.5, 1, -1.5, 0] };
+    const red = [1, 0, 0];
+    const planned = (color: Vec3, share = 1): number =>
+      localDarkness(color, 0, { ...measured, ...plan, colorFilter: [...red, share] });
+    // Half as light as white is at the second knot; nearly black below the third.
+    expect(planned([1, 0, 0])).toBe(0);
+    expect(planned([0.18418651851, 1, 1])).toBeCloseTo(0.15, 6);
+    expect(planned([0, 1, 1])).toBeCloseTo(0.6, 6);
+    expect(planned([0.001, 1, 1])).toBeCloseTo(0.6, 6);
+    expect(planned([0, 1, 1], 0.5)).toBeCloseTo(0.8, 6);
+  });
+
   test('a colour is darker by as much as it looks darker than white', () => {
-    expect(localDarkness(0.1842, 0, 1, 1)).toBeCloseTo(0.5, 3);
-    expect(localDarkness(0.1842, 0, 0.5, 1)).toBeCloseTo(0.25, 3);
-    expect(localDarkness(0.1842, 0, 1, 2)).toBeCloseTo(0, 2);
-    expect(localDarkness(0, 1, 1, 1)).toBe(0);
+    expect(darkness(0.1842)).toBeCloseTo(0.5, 3);
+    expect(darkness(0.1842, { colorHatching: 0.5 })).toBeCloseTo(0.25, 3);
+    expect(darkness(0.1842, { colorExposure: 2 })).toBeCloseTo(0, 2);
+    expect(darkness(0, {}, 1)).toBe(0);
     expect(shadedTone(1, 0, { ...look, darkness: 0.5, toneEnds: [0, 0.8] })).toBeCloseTo(0.4, 9);
   });
 });

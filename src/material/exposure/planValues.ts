@@ -1,0 +1,225 @@
+import { lightness } from '../../look/vectors.js';
+import type { ValuePlan } from './ToneFit.js';
+
+/** The colours of a scene with their weights. Emptying it keeps its memory. */
+export class WeightedColors {
+  private readonly bins = new Map<number, Color>();
+
+  clear(): void {
+    this.bins.clear();
+  }
+
+  /** Adds a colour in linear light. Weights that are not positive numbers are left out. */
+  add(rgb: ArrayLike<number>, weight: number): void {
+    if (!(weight > 0 && weight < Infinity)) return;
+    const key = keyOf(rgb);
+    if (!Number.isFinite(key)) return;
+    const bin = this.bins.get(key) ?? { r: 0, g: 0, b: 0, weight: 0 };
+    this.bins.set(key, bin);
+    bin.r += weight * clamp01(rgb[0]);
+    bin.g += weight * clamp01(rgb[1]);
+    bin.b += weight * clamp01(rgb[2]);
+    bin.weight += weight;
+  }
+
+  /** The mean colour of each bin, and its share of the weight. */
+  get means(): Color[] {
+    const bins = [...this.bins.values()];
+    const all = bins.reduce((sum, { weight }) => sum + weight, 0);
+    return bins.map(({ r, g, b, weight }) => ({
+      r: r / weight,
+      g: g / weight,
+      b: b / weight,
+      weight: weight / all,
+    }));
+  }
+}
+
+interface Color {
+  r: number;
+  g: number;
+  b: number;
+  weight: number;
+}
+
+/** The number of bins along red, green and blue. */
+const BINS = 24;
+
+const clamp01 = (value: number): number => Math.min(Math.max(value, 0), 1);
+const binOf = (value: number): number => Math.round((BINS - 1) * lightness(clamp01(value)));
+const keyOf = (rgb: ArrayLike<number>): number => (binOf(rgb[0]) * BINS + binOf(rgb[1])) * BINS + binOf(rgb[2]);
+
+/** A lightness of the scene with its share of the surface, and the darkness that is planned for it. */
+interface Value {
+  lightness: number;
+  weight: number;
+  darkness: number;
+}
+
+/** The share of the surface, from the lightest colours on, that is left blank, and the darkness of the darkest colour. */
+const BLANK = 0.45;
+const DARKEST = 0.7;
+/** The step by which neighbouring values differ, and the steepest rise of the darkness that may be needed for it. */
+const STEP = 0.15;
+const STEEPEST = 1.5;
+/** Nearly black things are never quite white: the lightness at which they begin, and the darkness of black. */
+const NEARLY_BLACK = 0.3;
+const LEAST_BLACK = 0.3;
+/** Lightnesses that are nearer than this are one value. */
+const ONE_VALUE = 0.05;
+/** The share of the surface from which on a value is a mass, with a step of its own, and below which it is a spot. */
+const MASS = 0.1;
+const SPOT = 0.02;
+
+/**
+ * Plans the values of a scene: which colours are left blank, which are half tones and which are dark. The darkness of a colour follows
+ * from its rank, light before dark, by the surface that has it; so the picture has its lights, whether the scene is light or dark all
+ * over. Neighbouring values differ by a step, as far as their lightness does. Where colours differ in hue alone, red, green and blue
+ * count as behind a filter before the lens, so that they become different greys.
+ */
+export function planValues(colors: readonly Color[]): ValuePlan {
+  const filter = filterFor(colors);
+  const values = valuesOf(colors, filter);
+  if (values.length === 0) return { filter, knots: [0, 0, 0, 0], bends: [0, 0, 0, 0] };
+  rank(values);
+  separate(values);
+  return { filter, ...curveThrough(values) };
+}
+
+/** The values of colours behind a filter, from light to dark. */
+function valuesOf(colors: readonly Color[], filter: ValuePlan['filter']): Value[] {
+  const seen = colors
+    .map((color) => ({ lightness: behind(filter, color), weight: color.weight, darkness: 0 }))
+    .sort((a, b) => b.lightness - a.lightness);
+  const values: Value[] = [];
+  let lightest = 0;
+  for (const one of seen) {
+    const last = values.at(-1);
+    if (last && lightest - one.lightness < ONE_VALUE) {
+      const weight = last.weight + one.weight;
+      last.lightness += ((one.lightness - last.lightness) * one.weight) / weight;
+      last.weight = weight;
+    } else {
+      lightest = one.lightness;
+      values.push(one);
+    }
+  }
+  return values;
+}
+
+/** Sets the darkness of values by their rank. */
+function rank(values: readonly Value[]): void {
+  const white = lightestOf(values);
+  let before = 0;
+  for (const value of values) {
+    const share = before + value.weight / 2;
+    before += value.weight;
+    const ranked = DARKEST * clamp01((share - BLANK) / (1 - BLANK));
+    // A faint difference does not become a coarse one.
+    value.darkness = Math.min(ranked, STEEPEST * Math.max(white - value.lightness, 0));
+    value.darkness = Math.max(value.darkness, LEAST_BLACK * clamp01(1 - value.lightness / NEARLY_BLACK));
+  }
+}
+
+/** The lightness of the lightest value that is more than a spot. */
+const lightestOf = (values: readonly Value[]): number =>
+  (values.find(({ weight }) => weight >= SPOT) ?? values[0]).lightness;
+
+/** Makes neighbouring masses differ by a step; of many, by a lesser one, so that light ones stay nearly blank. */
+function separate(values: readonly Value[]): void {
+  const masses = values.filter(({ weight }) => weight >= MASS);
+  const even = DARKEST / Math.max(masses.length - 1, 1);
+  const step = even >= STEP ? STEP : even / 2;
+  for (let i = 1; i < masses.length; i++) {
+    const [lighter, value] = [masses[i - 1], masses[i]];
+    const wanted = Math.min(step, STEEPEST * (lighter.lightness - value.lightness));
+    value.darkness = Math.max(value.darkness, lighter.darkness + wanted);
+  }
+  const most = masses.at(-1)?.darkness ?? 0;
+  if (most > DARKEST) for (const value of values) value.darkness *= DARKEST / most;
+  // A spot is not lighter than what is lighter in the scene.
+  for (let i = 1; i < values.length; i++) values[i].darkness = Math.max(values[i].darkness, values[i - 1].darkness);
+}
+
+/** The number of places at which the slope of the curve changes. */
+const KNOTS = 4;
+
+/** The curve from lightness to darkness, straight between a few values, level before the first and after the last. */
+function curveThrough(values: readonly Value[]): Pick<ValuePlan, 'knots' | 'bends'> {
+  const points = values.filter(({ darkness }, i) => darkness > 0 || !(values[i + 1]?.darkness === 0));
+  const [first] = points;
+  if (first.darkness > 0)
+    points.unshift({
+      lightness: Math.min(1, first.lightness + first.darkness / STEEPEST) + ONE_VALUE,
+      weight: 0,
+      darkness: 0,
+    });
+  while (points.length > KNOTS) points.splice(leastMissed(points), 1);
+  const knots = points.map(({ lightness }) => lightness);
+  const slopes = points.map((point, i) => {
+    const next = points[i + 1];
+    return next ? (next.darkness - point.darkness) / (point.lightness - next.lightness) : 0;
+  });
+  const bends = slopes.map((slope, i) => slope - (slopes[i - 1] ?? 0));
+  const none = Array<number>(KNOTS - points.length).fill(0);
+  return { knots: [...knots, ...none] as Four, bends: [...bends, ...none] as Four };
+}
+
+type Four = [number, number, number, number];
+
+/** The index of the point between the ends without which the curve changes least. */
+function leastMissed(points: readonly Value[]): number {
+  let [found, least] = [1, Infinity];
+  for (let i = 1; i + 1 < points.length; i++) {
+    const [a, b, c] = [points[i - 1], points[i], points[i + 1]];
+    const along = (a.lightness - b.lightness) / (a.lightness - c.lightness);
+    const missed = Math.abs(a.darkness + along * (c.darkness - a.darkness) - b.darkness) * (b.weight + SPOT);
+    if (missed < least) [found, least] = [i, missed];
+  }
+  return found;
+}
+
+/** The weights of red, green and blue in the luminance, and those behind a red, orange, green, cyan, magenta and blue filter. */
+const FILTERS: readonly ValuePlan['filter'][] = [
+  [0.2126, 0.7152, 0.0722],
+  [0.7, 0.25, 0.05],
+  [0.45, 0.5, 0.05],
+  [0.1, 0.85, 0.05],
+  [0.05, 0.55, 0.4],
+  [0.5, 0.1, 0.4],
+  [0.1, 0.3, 0.6],
+];
+/** The share of the surface that may be lost beside what it differs from in hue, before a filter is taken. */
+const LOST = 0.02;
+/** The least difference in red, green or blue, as lightness, by which colours differ to the eye. */
+const DIFFERENT = 0.2;
+
+/** The filter behind which the fewest colours look alike that do not. */
+function filterFor(colors: readonly Color[]): ValuePlan['filter'] {
+  const main = colors.filter(({ weight }) => weight >= SPOT);
+  let [found, least] = [FILTERS[0], lostBehind(FILTERS[0], main) - LOST];
+  if (least <= 0) return found;
+  for (const filter of FILTERS.slice(1)) {
+    const lost = lostBehind(filter, main);
+    if (lost < least) [found, least] = [filter, lost];
+  }
+  return found;
+}
+
+/** The share of the surface whose neighbours in lightness are of another colour. */
+function lostBehind(filter: ValuePlan['filter'], colors: readonly Color[]): number {
+  const seen = colors.map((color) => behind(filter, color));
+  let lost = 0;
+  for (let i = 0; i < colors.length; i++)
+    for (let j = 0; j < i; j++) {
+      if (!differ(colors[i], colors[j])) continue;
+      lost += Math.min(colors[i].weight, colors[j].weight) * clamp01(1 - Math.abs(seen[i] - seen[j]) / STEP);
+    }
+  return lost;
+}
+
+const differ = (a: Color, b: Color): boolean =>
+  (['r', 'g', 'b'] as const).some((one) => Math.abs(lightness(a[one]) - lightness(b[one])) > DIFFERENT);
+
+const behind = ([r, g, b]: ValuePlan['filter'], color: Color): number =>
+  lightness(clamp01(r * color.r + g * color.g + b * color.b));
