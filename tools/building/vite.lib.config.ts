@@ -28,7 +28,7 @@ const SEPARATE = [
       'material/HatchingMaterial',
       // Shared by the techniques, by outlines and by what hatches scenes.
       ...['look/vectors', 'scene/GivenValues', 'material/fieldFrameName', 'material/geometry/(?:formAngles|lineFades)'],
-      ...['material/three/(?:batches|posing)', 'mesh/bake/pullLayout'],
+      ...['material/three/(?:batches|posing)', 'material/deformation/laterDeformations', 'mesh/bake/pullLayout'],
     ),
   },
   // Shared by materials and bakes, whose files are loaded later.
@@ -82,7 +82,7 @@ const OF_NODES = [
   // What all parts of materials and outlines need, in GLSL.
   {
     name: 'surface',
-    test: /\/src\/material\/(?:parts\/surface|deformation\/PrePass|shaders\/\w+)\.ts$|\/shaders\/(?:chunks|perFragment)\/(?:lineCoverage|screenGradient|tooth|deformVertex)\.glsl/,
+    test: /\/src\/material\/(?:parts\/surface|shaders\/\w+)\.ts$|\/shaders\/(?:chunks|perFragment)\/(?:lineCoverage|screenGradient|tooth|deformVertex)\.glsl|\/shaders\/perTriangle\/turns\.glsl/,
     priority: 5,
   },
   { name: 'HatchingNodeMaterial', test: modules('webgpu/HatchingNodeMaterial'), priority: 2 },

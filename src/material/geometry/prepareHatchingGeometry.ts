@@ -9,6 +9,7 @@ import type { FormField } from '../../mesh/form/FormField.js';
 import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
 import { runTask } from '../../worker/runTask.js';
 import { checkNames } from '../../worker/TaskOptions.js';
+import { fetchDeformations } from '../deformation/laterDeformations.js';
 import { mustBeAwaited } from '../diagnostics/warn.js';
 import { applyCorners, applyIndexed, applyPull } from './bakedGeometry.js';
 import { checkGeometry } from './checkGeometry.js';
@@ -122,6 +123,8 @@ export async function prepareWithForm(
 
   const place = { name: 'position', isMorphTarget: false, attribute: position };
   const unturnedPositions = layout === 'indexed' ? extractWords(position, position.count) : null;
+  // Outlines that cannot be drawn for want of it try again.
+  const codeOfOutlines = options.outlines && mayDeform(geometry) ? fetchDeformations().catch(() => {}) : undefined;
   // From here on the geometry may change.
   const turn = options.orient ? await turning(label, extracted, kept, options, extractUnturned) : leaveSource;
   const source = turn(extracted);
@@ -149,6 +152,7 @@ export async function prepareWithForm(
     const again = () => ({ ...request, mesh: extractAgain().mesh });
     const baking = runTask('bakeIndexed', { ...request, mesh }, options, again);
     applyIndexed(prepared, attributes, { ...(await baking), ...own });
+    await codeOfOutlines;
     return prepared;
   }
   const requestFor = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
@@ -160,8 +164,13 @@ export async function prepareWithForm(
     const baking = runTask('bakeCorners', requestFor(source), options, requestAgain);
     applyCorners(prepared, kept, { ...(await baking), ...own });
   }
+  await codeOfOutlines;
   return prepared;
 }
+
+/** Whether the meshes of a geometry may have a skin or morph targets. */
+const mayDeform = ({ attributes, morphAttributes }: BufferGeometry): boolean =>
+  Boolean(attributes.skinIndex || morphAttributes.position || morphAttributes.normal);
 
 /** The request for a form field, if one is requested. */
 const formRequestOf = ({ form }: PrepareHatchingGeometryOptions): FormRequest | null =>

@@ -10,8 +10,8 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import { hasFloatTargets } from '../deformation/canDeform.js';
-import { glslDeformations } from '../deformation/PrePass.js';
+import { deforms, hasFloatTargets } from '../deformation/canDeform.js';
+import { fetchDeformations, fetchedDeformations } from '../deformation/laterDeformations.js';
 import { warnOfRenderer } from '../diagnostics/warn.js';
 import { forgetClipping } from '../three/clipping.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
@@ -76,6 +76,13 @@ function isSupported(renderer: object): boolean {
   return !isOther;
 }
 
+/** Whether the code for the outlines of a mesh is there. What is awaited with the bake may be missing where a geometry was baked elsewhere. */
+function canBeDrawn(mesh: Mesh): boolean {
+  if (!deforms(mesh.geometry, mesh) || fetchedDeformations()) return true;
+  fetchDeformations().catch(() => {});
+  return false;
+}
+
 /**
  * Draws the contours, borders and creases of a mesh. Add it to the mesh as a child. The geometry of the mesh must come from
  * `prepareHatchingGeometry(geometry, { outlines: true })`.
@@ -132,7 +139,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     if (!mesh || !(this.material instanceof HatchingOutlineMaterial) || !('isHatchingOutlineMaterial' in drawnWith))
       return;
     const parts = this.visibleParts(renderer, scene, camera, isSupported);
-    if (parts.length === 0) return;
+    if (parts.length === 0 || !canBeDrawn(mesh)) return;
     this.drawn = parts;
     this.showInstances();
     this.isDeformed = this.bindDeformation(renderer, camera, mesh);
@@ -198,7 +205,8 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
 
   /** Updates the pre-pass of a deforming mesh. Returns whether there is one. */
   private bindDeformation(renderer: WebGLRenderer, camera: Camera, mesh: Mesh): boolean {
-    const deformation = this.deformationBy(glslDeformations, hasFloatTargets, renderer, camera, mesh);
+    const deformations = fetchedDeformations();
+    const deformation = deformations && this.deformationBy(deformations, hasFloatTargets, renderer, camera, mesh);
     if (!deformation) return false;
     const { uniforms } = this.material;
     uniforms.deformedPositions.value = deformation.positions;
