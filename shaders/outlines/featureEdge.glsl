@@ -3,6 +3,7 @@
 uniform float borders; // weights
 uniform float creases;
 uniform float materialBorders;
+uniform float intersections;
 uniform float overshoot; // pixels
 
 // The part of the edge, as t from start to end, where one side faces the eye and the other does not. false if there is none.
@@ -44,17 +45,19 @@ Piece featureEdge(
   float whole = 0.0;
   if ((flags & EDGE_CREASE) != 0u) whole = creases;
   if ((flags & EDGE_MATERIAL_BORDER) != 0u) whole = max(whole, materialBorders);
+  bool isIntersection = (flags & EDGE_INTERSECTION) != 0u;
+  if (isIntersection) whole = intersections;
   bool isBorder = (flags & EDGE_BORDER) != 0u;
   #ifndef HIDDEN
-    // A crease is invisible if both sides face away; borders show from behind.
-    if (!isBorder && max(max(left.x, left.y), max(right.x, right.y)) <= 0.0) return piece;
+    // A crease is invisible if both sides face away; borders and lines where surfaces meet show from behind.
+    if (!isBorder && !isIntersection && max(max(left.x, left.y), max(right.x, right.y)) <= 0.0) return piece;
   #endif // HIDDEN
 
   vec2 part;
-  bool hasContour = !isBorder && contourAlong(left, right, part);
+  bool hasContour = !isBorder && !isIntersection && contourAlong(left, right, part);
   if (isBorder || whole > 0.0) {
     // The whole edge is drawn, as wide as the contour where it is one.
-    vec2 isContour = vec2(lessThan(left * right, vec2(0.0)));
+    vec2 isContour = isIntersection ? vec2(0.0) : vec2(lessThan(left * right, vec2(0.0)));
     vec2 ofContour = isBorder ? vec2(borders) : contours * isContour;
     piece.contour = isBorder ? 1.0 : 0.5 * (isContour.x + isContour.y);
     piece.start = endBetween(leftStart, leftEnd, 0.0);

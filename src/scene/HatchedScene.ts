@@ -5,6 +5,8 @@ import { identityOf } from '../material/geometry/identityOf.js';
 import { HatchingComposition } from '../material/groups/HatchingComposition.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { HatchingOutlines } from '../material/outlines/HatchingOutlines.js';
+import { wantsIntersections } from '../material/outlines/IntersectingOutlines.js';
+import { loadIntersections } from '../material/outlines/loadIntersections.js';
 import type { ApplyHatchingOptions, HatchingPreset } from './ApplyHatchingOptions.js';
 import { lookOptions } from './applyOptions.js';
 import { beginCall, type CallUnderWay } from './beginCall.js';
@@ -296,6 +298,7 @@ export class HatchedScene {
       call.end();
       if (wanted) this.given = wanted;
       this.show(call.choice, prepared, style, change);
+      await this.intersect(call.signal);
       goesOn = prepared?.made.forms != null;
       return this;
     } finally {
@@ -306,6 +309,14 @@ export class HatchedScene {
         this.wanted = null;
       }
     }
+  }
+
+  /** Computes the lines where surfaces meet, if outlines ask for them. Without them the scene is hatched all the same. */
+  private async intersect(signal: AbortSignal): Promise<void> {
+    if (!this.ownOutlines.some(wantsIntersections)) return;
+    try {
+      await (await loadIntersections()).settleIntersections(this.root, { signal });
+    } catch {}
   }
 
   /** Shows the new looks, all at once, and takes what is gone off the scene. */

@@ -18,7 +18,7 @@ const makeOutlines = (): Record<PresetName, HatchingPreset['outlines']> => ({
   banknote: { outlineWidth: 0.9, ink: '#18332f' },
   technical: {
     outlineWidth: 1.6,
-    weights: { innerContours: 0.6, creases: 0.6, materialBorders: 0.6, lit: 1, shade: 1 },
+    weights: { innerContours: 0.6, creases: 0.6, materialBorders: 0.6, intersections: 0.6, lit: 1, shade: 1 },
     lostEdges: 0,
     accents: 0,
     ink: BLACK,

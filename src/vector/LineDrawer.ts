@@ -12,6 +12,7 @@ import { dashed, endHairlines } from './hairlines.js';
 import type { LineTechnique } from './lineMarks.js';
 import { dropShortLines } from './outlines/dropShortLines.js';
 import { loseEdges, type SeenOutline } from './outlines/loseEdges.js';
+import { meetingOutlines } from './outlines/meetingOutlines.js';
 import { outlineChains } from './outlines/outlineChains.js';
 import { hiddenLook, outlinePieces, weighHidden } from './outlines/outlinePieces.js';
 import { cutTest, outlineTest, weighByHierarchy } from './outlines/seenOutlines.js';
@@ -65,6 +66,8 @@ interface FadedPart {
   isLeft: SeenTest;
 }
 
+/** The share of lines where surfaces meet in the time for outlines. */
+const MEETING = 0.2;
 /** The share of tracing in the time for a surface. */
 const TRACED = 0.65;
 /** The share of reading vertices in the time for tracing. */
@@ -113,13 +116,15 @@ export class LineDrawer {
 
   *drawOutlines(): Generator<number, void, void> {
     const { pen, millimetre } = this;
-    const { outlines } = this.scene;
+    const { outlines: own } = this.scene;
     const seen: LeftPath[] = [];
+    const outlines = [...own, ...(yield* asPhase(meetingOutlines(own), 0, MEETING))];
+    const partAt = (done: number): number => MEETING + ((1 - MEETING) * done) / outlines.length;
     for (const [i, outlined] of outlines.entries()) {
       const middle = i + (outlined.look.hidden === 'none' ? 1 : 0.5);
-      yield* asPhase(this.drawSeen(outlined, seen), i / outlines.length, middle / outlines.length);
+      yield* asPhase(this.drawSeen(outlined, seen), partAt(i), partAt(middle));
       if (middle === i + 1) continue;
-      yield* asPhase(this.drawHidden(outlined), middle / outlines.length, (i + 1) / outlines.length);
+      yield* asPhase(this.drawHidden(outlined), partAt(middle), partAt(i + 1));
     }
     const kept = pen === null ? seen : dropShortLines(seen, { shortest: SHORTEST_ALONE * millimetre, near: pen });
     for (const one of kept) this.addPath(one);

@@ -25,6 +25,7 @@ const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   startOcclusion: buffersIn,
   addDirections: buffersIn,
   orientChecked: buffersIn,
+  intersectOutlines: buffersIn,
 };
 
 /** The tasks that bake geometry and draw the images of maps. */

@@ -20,6 +20,7 @@ import {
   CORNER_AT_END,
   CORNER_AT_START,
   CREASE,
+  INTERSECTION,
   IS_EDGE,
   MATERIAL_BORDER,
   POINT_BITS,
@@ -41,6 +42,7 @@ import { HATCHING_OUTLINE_DEFAULTS, OUTLINE_NUMBER_NAMES, type OutlineNumberName
 import {
   checkHidden,
   createOutlineUniforms,
+  defineIntersections,
   defineOutlineNumbers,
   defineOutlineWeights,
   OUTLINE_MESH_UNIFORMS,
@@ -48,7 +50,7 @@ import {
 } from './outlineUniforms.js';
 import { writeDrawState } from './surfaceRules.js';
 
-const flags = { BORDER, CREASE, MATERIAL_BORDER, CONTRARY, CORNER_AT_START, CORNER_AT_END, IS_EDGE };
+const flags = { BORDER, CREASE, MATERIAL_BORDER, CONTRARY, CORNER_AT_START, CORNER_AT_END, IS_EDGE, INTERSECTION };
 
 /** The constants, as defines, that the shaders of outlines share with the bake and with vector drawing. */
 const outlineConventionsChunk = (): string =>
@@ -100,6 +102,7 @@ export type HatchingOutlineParameters = MaterialParameters &
     /** Some of the weights, or all. */
     weights?: Partial<OutlineWeights> | undefined;
     hidden?: HiddenOutlines | undefined;
+    intersections?: boolean | undefined;
     fog?: boolean | undefined;
     clipping?: boolean | undefined;
   };
@@ -148,6 +151,13 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /** Uploads the uniforms that differ between meshes. @internal */
   readonly ofMesh: MeshUniforms;
 
+  /**
+   * Whether lines are drawn along which the surface cuts those of other meshes of the scene whose outlines have it true too, and along
+   * which the parts of a mesh that are not connected cut each other. They are computed in the worker, once for two meshes that do not move
+   * towards each other, and appear some frames later: the scene dispatches an event of the type `'intersections'` then. Default false.
+   */
+  declare intersections: boolean;
+
   private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
   /** The frame that the uniforms were written for, and the id of the fading material: a reference would keep the material alive. */
   private readonly written = new FrameStamp();
@@ -162,6 +172,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
       if (name === 'wobble' || name === 'paperGrain') this.setDefine(constantCase(name), value > 0);
     });
     defineOutlineWeights(this, 'HatchingOutlineMaterial');
+    defineIntersections(this, 'HatchingOutlineMaterial');
     this.uniforms = createOutlineUniforms();
     Object.assign(this, outlineShaders());
     this.lights = true;
@@ -211,6 +222,7 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
     this.ink.copy(source.ink);
     Object.assign(this.weights, source.weights);
     this.hidden = source.hidden;
+    this.intersections = source.intersections;
     return this;
   }
 

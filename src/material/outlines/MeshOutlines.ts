@@ -25,6 +25,7 @@ import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { NO_VERTICES, SpriteLike } from '../three/posing.js';
 import { ContourList } from './ContourList.js';
 import { InstanceList } from './InstanceList.js';
+import { drawnParts, forgetIntersections } from './loadIntersections.js';
 import { type OutlinePart, OutlineParts } from './OutlineParts.js';
 import { copyDrawState, type DrawState, isScaledToNothing, takeDrawState } from './surfaceRules.js';
 
@@ -140,6 +141,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Spr
     super.dispose?.();
     this.geometry.dispose();
     this.parts.dispose();
+    forgetIntersections(this);
     if (this.ownsMaterial) this.material.dispose();
   }
 
@@ -258,7 +260,8 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Spr
     }
     // The test uses only what all renderers have.
     const isOutside = mesh.frustumCulled && !isInFrustum(mesh, renderer as WebGLRenderer, camera);
-    return isOutside ? NO_PARTS : parts;
+    if (isOutside) return NO_PARTS;
+    return drawnParts(this, parts);
   }
 
   /** Sets the number of primitives of the next draw. */

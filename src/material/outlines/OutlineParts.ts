@@ -43,6 +43,11 @@ export interface OutlinePart {
   isNew: boolean;
 }
 
+/** A part without a list: all its primitives are tested. */
+export const unlistedPart = (data: OutlineData, surface: Material): OutlinePart => ({
+  ...{ data, surface, lists: new CameraLists(), isNew: true },
+});
+
 /** A set of parts of the surface whose outlines look alike, and one material of theirs. */
 interface Look {
   surface: Material;

@@ -17,6 +17,8 @@ export class OutlineWeights {
   declare creases: number;
   /** Edges between groups of a geometry, on meshes with several materials. Default 0.35. */
   declare materialBorders: number;
+  /** Lines along which the surfaces of two parts cut each other, if `intersections` is true. Default 0.35. */
+  declare intersections: number;
   /**
    * Suggestive contours, where a contour would appear if the eye moved a little (DeCarlo et al., 2003). Every triangle is tested for
    * them. Default 0; try 0.6.

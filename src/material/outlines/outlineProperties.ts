@@ -9,6 +9,7 @@ export const HATCHING_OUTLINE_DEFAULTS = {
     borders: 1,
     creases: 0.35,
     materialBorders: 0.35,
+    intersections: 0.35,
     suggestiveContours: 0,
     lit: 0.7,
     shade: 1.7,
@@ -22,6 +23,7 @@ export const HATCHING_OUTLINE_DEFAULTS = {
   paperGrainSize: 2.5,
   ink: 0x000000,
   hidden: 'none',
+  intersections: false,
 } as const;
 
 /** The ranges of the numeric properties. Each has a uniform of the same name. */

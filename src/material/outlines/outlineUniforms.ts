@@ -117,6 +117,21 @@ export function defineOutlineWeights(material: object, owner: string): void {
   });
 }
 
+/** Defines whether there are lines where surfaces meet, on a material. @param owner the name of the class */
+export function defineIntersections(material: object, owner: string): void {
+  let current: boolean = HATCHING_OUTLINE_DEFAULTS.intersections;
+  Object.defineProperty(material, 'intersections', {
+    get: () => current,
+    set: (value: boolean) => {
+      if (typeof value !== 'boolean') {
+        throw new TypeError(`${owner}.intersections is ${String(value)}, but must be true or false.`);
+      }
+      current = value;
+    },
+    enumerable: true,
+  });
+}
+
 /** @throws TypeError unless `value` is one of the choices */
 export function checkHidden(value: HiddenOutlines, owner: string): HiddenOutlines {
   if (HIDDEN_OUTLINES.includes(value)) return value;

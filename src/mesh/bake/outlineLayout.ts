@@ -66,7 +66,13 @@ export const CORNER_AT_START = 16;
 /** At the end of the edge a straight line ends, branches or turns. */
 export const CORNER_AT_END = 32;
 
-/** The kinds of edges that are drawn over their whole length. */
+/** The edge is a line along which two surfaces cut each other; its sides are those of one and of the other. */
+export const INTERSECTION = 128;
+
+/** The points of such an edge: its ends on one surface, and on the other. */
+export const SEGMENT_POINTS = 4;
+
+/** The kinds of edges of a surface that are drawn over their whole length. */
 export const DRAWN_WHOLE: number = BORDER | CREASE | MATERIAL_BORDER;
 
 /** Set for every feature edge, to distinguish it from a triangle. */

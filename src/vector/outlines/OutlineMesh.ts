@@ -38,6 +38,8 @@ export interface FeatureEdge {
   isBorder: boolean;
   isCrease: boolean;
   isMaterialBorder: boolean;
+  /** Whether the sides are those of two surfaces that cut each other. */
+  isIntersection: boolean;
   /** Whether the windings of the two sides are contrary. */
   isContrary: boolean;
   /** Whether a straight line of edges ends, branches or turns there. */
@@ -54,6 +56,8 @@ export interface OutlineLook {
   borders: number;
   creases: number;
   materialBorders: number;
+  /** The weight of lines where surfaces meet; 0 for none. */
+  intersections: number;
   suggestiveContours: number;
   taper: number;
   shadeWeights: readonly [number, number];

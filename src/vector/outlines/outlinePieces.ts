@@ -163,18 +163,20 @@ class PieceFinder {
 
   featureEdge(edge: FeatureEdge): OutlinePiece | null {
     const { facing, look } = this;
-    const { leftStart, leftEnd, rightStart, rightEnd, isBorder } = edge;
+    const { leftStart, leftEnd, rightStart, rightEnd, isBorder, isIntersection } = edge;
     // With contrary windings the normals of the right side point inwards.
     const sign = edge.isContrary ? -1 : 1;
     const left = [facing[leftStart], facing[leftEnd]] as const;
     const right = [sign * facing[rightStart], sign * facing[rightEnd]] as const;
-    // A crease is invisible if both sides face away; borders show from behind.
-    if (!isBorder && !this.withHidden && Math.max(...left, ...right) <= 0) return null;
-    const whole = Math.max(edge.isCrease ? look.creases : 0, edge.isMaterialBorder ? look.materialBorders : 0);
-    const isContour = [left[0] * right[0] < 0, left[1] * right[1] < 0];
+    // A crease is invisible if both sides face away; borders and lines where surfaces meet show from behind.
+    if (!isBorder && !isIntersection && !this.withHidden && Math.max(...left, ...right) <= 0) return null;
+    const ofSurface = Math.max(edge.isCrease ? look.creases : 0, edge.isMaterialBorder ? look.materialBorders : 0);
+    const whole = isIntersection ? look.intersections : ofSurface;
+    const isContour = [left[0] * right[0] < 0, left[1] * right[1] < 0].map((isOne) => isOne && !isIntersection);
     const normals = [this.seenNormal(leftStart, rightStart, sign), this.seenNormal(leftEnd, rightEnd, sign)] as const;
     let part: readonly [number, number] | null = [0, 1];
     let contour = isBorder ? 1 : 0.5 * (Number(isContour[0]) + Number(isContour[1]));
+    if (isIntersection && whole === 0) return null;
     if (!isBorder && whole === 0) {
       part = contourAlong(left, right);
       contour = 1;

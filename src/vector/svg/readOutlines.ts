@@ -51,12 +51,13 @@ export function outlineLookOf(
   hasMaterials: boolean,
   fading: ObjectFading | null,
 ): OutlineLook {
-  const { contours, innerContours, borders, creases, materialBorders, suggestiveContours, lit, shade } =
+  const { contours, innerContours, borders, creases, materialBorders, intersections, suggestiveContours, lit, shade } =
     material.weights;
   const { outlineWidth, taper, lostEdges, accents, overshoot, wobble, hidden } = material;
   return {
     width: outlineWidth * Math.min(opacityOf(material), opacityOf(surface, geometry)),
     materialBorders: hasMaterials ? materialBorders : 0,
+    intersections: material.intersections ? intersections : 0,
     shadeWeights: [lit, shade],
     ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
     ...{ accents, overshoot, wobble, fading, hidden },
@@ -131,6 +132,7 @@ function edgeAt(words: Uint32Array, o: number): FeatureEdge {
     isBorder: (flags & BORDER) !== 0,
     isCrease: (flags & CREASE) !== 0,
     isMaterialBorder: (flags & MATERIAL_BORDER) !== 0,
+    isIntersection: false,
     isContrary: (flags & CONTRARY) !== 0,
     isCornerAtStart: (flags & CORNER_AT_START) !== 0,
     isCornerAtEnd: (flags & CORNER_AT_END) !== 0,

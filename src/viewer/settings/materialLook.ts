@@ -210,6 +210,7 @@ export function outlineLook(settings: Settings) {
       borders: settings.outlineBorders / 100,
       creases,
       materialBorders: creases,
+      intersections: creases,
       suggestiveContours: settings.outlineSuggestive / 100,
       lit: 1 - SHADE.lost * shade,
       shade: 1 + SHADE.gained * shade,

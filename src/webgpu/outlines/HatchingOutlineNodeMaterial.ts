@@ -30,6 +30,7 @@ import {
 import {
   checkHidden,
   createOutlineUniforms,
+  defineIntersections,
   defineOutlineNumbers,
   defineOutlineWeights,
   writeOutlineLook,
@@ -71,7 +72,7 @@ function writeCanvasBlend(ink: Color, paper: Color | undefined, uniform: Vector4
 }
 
 export interface HatchingOutlineNodeMaterial
-  extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'weights' | 'hidden'> {}
+  extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'weights' | 'hidden' | 'intersections'> {}
 
 /**
  * The material of `HatchingOutlines` for WebGPURenderer: the same properties as those of `HatchingOutlineMaterial`, with the same defaults.
@@ -103,6 +104,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
       if (name === 'wobble' || name === 'paperGrain') this.chooseNodes();
     });
     defineOutlineWeights(this, NAME);
+    defineIntersections(this, NAME);
     Object.defineProperty(this, 'hidden', {
       get: () => this.hiddenLines,
       set: (value: HiddenOutlines) => {
@@ -143,6 +145,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     this.ink.copy(source.ink);
     Object.assign(this.weights, source.weights);
     this.hidden = source.hidden;
+    this.intersections = source.intersections;
     return this;
   }
 

@@ -5,6 +5,7 @@ import {
   CORNER_AT_END,
   CORNER_AT_START,
   CREASE,
+  INTERSECTION,
   MATERIAL_BORDER,
 } from '../../../mesh/bake/outlineLayout.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -19,6 +20,7 @@ const { If, bool, cross, dot, float, max, min, select, vec2 } = tsl;
 const borders = /* @__PURE__ */ hatchingUniform('borders', 'float');
 const creases = /* @__PURE__ */ hatchingUniform('creases', 'float');
 const materialBorders = /* @__PURE__ */ hatchingUniform('materialBorders', 'float');
+const intersections = /* @__PURE__ */ hatchingUniform('intersections', 'float');
 const overshoot = /* @__PURE__ */ hatchingUniform('overshoot', 'float');
 
 /** The part of the edge, as t from start to end, where one side faces the eye and the other does not. */
@@ -77,18 +79,21 @@ export function featureEdge(
   piece.isSmooth.assign(false);
   const whole = select(hasFlag(flags, CREASE), creases, float(0)).toVar();
   whole.assign(select(hasFlag(flags, MATERIAL_BORDER), max(whole, materialBorders), whole));
+  const isIntersection = hasFlag(flags, INTERSECTION).toVar();
+  whole.assign(select(isIntersection, intersections, whole));
   const isBorder = hasFlag(flags, BORDER).toVar();
-  // A crease is invisible if both sides face away; borders show from behind.
-  const canBeSeen = isHidden ? bool(true) : isBorder.or(max(max(left.x, left.y), max(right.x, right.y)).greaterThan(0));
+  const isAlways = isBorder.or(isIntersection).toVar();
+  // A crease is invisible if both sides face away; borders and lines where surfaces meet show from behind.
+  const canBeSeen = isHidden ? bool(true) : isAlways.or(max(max(left.x, left.y), max(right.x, right.y)).greaterThan(0));
   If(canBeSeen, () => {
     const { hasContour, part } = contourAlong(left, right);
-    hasContour.assign(hasContour.and(isBorder.not()));
+    hasContour.assign(hasContour.and(isAlways.not()));
     const { start, end } = piece;
     If(isBorder.or(whole.greaterThan(0)), () => {
       // The whole edge is drawn, as wide as the contour where it is one.
       const one = (isContour: Value): Value => select(isContour, float(1), float(0)).toVar();
-      const atStart = one(left.x.mul(right.x).lessThan(0));
-      const atEnd = one(left.y.mul(right.y).lessThan(0));
+      const atStart = one(left.x.mul(right.x).lessThan(0).and(isIntersection.not()));
+      const atEnd = one(left.y.mul(right.y).lessThan(0).and(isIntersection.not()));
       piece.contour.assign(select(isBorder, float(1), atStart.add(atEnd).mul(0.5)));
       endBetween(start, leftStart, leftEnd, float(0));
       endBetween(end, leftStart, leftEnd, float(1));

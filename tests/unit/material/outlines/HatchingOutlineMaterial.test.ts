@@ -23,6 +23,7 @@ const changed = {
     borders: 0.25,
     creases: 2,
     materialBorders: 0.1,
+    intersections: 0.9,
     suggestiveContours: 0.7,
     lit: 0.1,
     shade: 3,
@@ -36,6 +37,7 @@ const changed = {
   paperGrainSize: 3,
   ink: '#123456',
   hidden: 'dashed',
+  intersections: true,
   opacity: 0.5,
   fog: false,
   clipping: false,
@@ -69,6 +71,7 @@ describe('HatchingOutlineMaterial', () => {
         borders: 1,
         creases: 0.35,
         materialBorders: 0.35,
+        intersections: 0.35,
         suggestiveContours: 0,
         lit: 0.7,
         shade: 1.7,
@@ -81,6 +84,7 @@ describe('HatchingOutlineMaterial', () => {
       paperGrain: 0,
       paperGrainSize: 2.5,
       hidden: 'none',
+      intersections: false,
     });
   });
 

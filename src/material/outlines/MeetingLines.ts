@@ -1,0 +1,161 @@
+import { Matrix4, type Mesh } from 'three';
+import {
+  INTERSECTION,
+  IS_EDGE,
+  POINT_BITS,
+  POINT_WORDS,
+  PRIMITIVE_WORDS,
+  SEGMENT_POINTS,
+} from '../../mesh/bake/outlineLayout.js';
+import { paddedWords } from '../../mesh/bake/pullLayout.js';
+import { OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
+import type { IntersectingOutlines } from './IntersectingOutlines.js';
+import { type OutlinePart, unlistedPart } from './OutlineParts.js';
+import { isScaledToNothing } from './surfaceRules.js';
+
+/** The greatest difference of numbers of two matrices that count as equal, as a share of the largest: rounding of a chain of matrices. */
+const ROUNDING = 1e-6;
+
+/** The lines of a pair of meshes, in the space of the first, which holds them. */
+interface MeetingPair {
+  readonly other: IntersectingOutlines;
+  readonly data: OutlineData;
+  readonly otherData: OutlineData;
+  /** From the space of the other mesh to that of the first, as the lines were computed. */
+  readonly relative: Matrix4;
+  /** Packed points of segments; null if it was too much work. */
+  readonly points: Uint32Array | null;
+  /** Whether they were drawn in the last frame. */
+  isDrawn: boolean;
+}
+
+const relative = /* @__PURE__ */ new Matrix4();
+
+/** Computes the matrix from the space of one mesh to that of another. */
+export const relativeTo = (other: Mesh, mesh: Mesh, into: Matrix4): Matrix4 =>
+  into.copy(mesh.matrixWorld).invert().multiply(other.matrixWorld);
+
+/** Whether two matrices are equal up to rounding. */
+function areEqual(a: Matrix4, b: Matrix4): boolean {
+  let largest = 0;
+  let difference = 0;
+  for (let i = 0; i < 16; i++) {
+    largest = Math.max(largest, Math.abs(a.elements[i]));
+    difference = Math.max(difference, Math.abs(a.elements[i] - b.elements[i]));
+  }
+  return difference <= ROUNDING * largest;
+}
+
+/** Whether a mesh and all above it are visible. */
+function isShown(mesh: Mesh): boolean {
+  for (let object: Mesh['parent'] = mesh; object !== null; object = object.parent) if (!object.visible) return false;
+  return !isScaledToNothing(mesh.matrixWorld);
+}
+
+/** The lines along which a mesh meets others, as a part of its outlines. */
+export class MeetingLines {
+  private pairs: readonly MeetingPair[] = [];
+  private part: OutlinePart | null = null;
+  private parts: readonly OutlinePart[] = [];
+  private own: readonly OutlinePart[] = [];
+
+  constructor(private readonly outlines: IntersectingOutlines) {}
+
+  /** Whether the lines with other outlines are known for where both meshes are now. */
+  knows(other: IntersectingOutlines): boolean {
+    const pair = this.pairs.find((one) => one.other === other);
+    return pair !== undefined && this.isCurrent(pair);
+  }
+
+  /** Notes the lines of a pair. @param toFirst from the space of the other mesh to that of the first, as they were computed */
+  set(
+    other: IntersectingOutlines,
+    data: OutlineData,
+    otherData: OutlineData,
+    toFirst: Matrix4,
+    points: Uint32Array | null,
+  ): void {
+    const others = this.pairs.filter((pair) => pair.other !== other);
+    this.pairs = [...others, { other, data, otherData, relative: toFirst, points, isDrawn: false }];
+    this.dropPart();
+  }
+
+  /** Forgets lines with outlines that are gone. */
+  keepOnly(others: ReadonlySet<IntersectingOutlines>): void {
+    const kept = this.pairs.filter(({ other }) => others.has(other));
+    if (kept.length === this.pairs.length) return;
+    this.pairs = kept;
+    this.dropPart();
+  }
+
+  /** The parts of outlines, and the lines that are valid now. Allocates nothing while those are the same as in the last frame. */
+  add(own: readonly OutlinePart[]): readonly OutlinePart[] {
+    let isSame = this.part !== null;
+    let isAny = false;
+    for (let i = 0; i < this.pairs.length; i++) {
+      const pair = this.pairs[i];
+      const isDrawn =
+        pair.points !== null && pair.points.length > 0 && this.isCurrent(pair) && isShown(pair.other.mesh!);
+      if (isDrawn !== pair.isDrawn) isSame = false;
+      pair.isDrawn = isDrawn;
+      isAny ||= isDrawn;
+    }
+    if (!isAny || own.length === 0) return own;
+    if (!isSame) this.makePart(own);
+    const part = this.part!;
+    part.surface = own[0].surface;
+    if (own !== this.own || !isSame) {
+      this.own = own;
+      this.parts = [...own, part];
+    }
+    return this.parts;
+  }
+
+  dispose(): void {
+    this.pairs = [];
+    this.dropPart();
+  }
+
+  private isCurrent({ other, data, otherData, relative: computed }: MeetingPair): boolean {
+    const { mesh } = this.outlines;
+    if (!mesh || !other.mesh) return false;
+    if (outlineDataOf(mesh.geometry) !== data || outlineDataOf(other.mesh.geometry) !== otherData) return false;
+    return other === this.outlines || areEqual(relativeTo(other.mesh, mesh, relative), computed);
+  }
+
+  private makePart(own: readonly OutlinePart[]): void {
+    this.dropPart();
+    const drawn = this.pairs.filter(({ isDrawn }) => isDrawn);
+    this.part = unlistedPart(packedData(drawn), own[0].surface);
+  }
+
+  private dropPart(): void {
+    this.part?.data.dispose();
+    this.part = null;
+  }
+}
+
+/** The data that the lines of some pairs are drawn from. */
+function packedData(pairs: readonly MeetingPair[]): OutlineData {
+  const wordsPerSegment = SEGMENT_POINTS * POINT_WORDS;
+  const edgeCount = pairs.reduce((sum, { points }) => sum + points!.length, 0) / wordsPerSegment;
+  const points = new Uint32Array(paddedWords(SEGMENT_POINTS * edgeCount, POINT_WORDS));
+  let at = 0;
+  for (const { points: ofPair } of pairs) {
+    points.set(ofPair!, at);
+    at += ofPair!.length;
+  }
+  const primitives = new Uint32Array(paddedWords(edgeCount, PRIMITIVE_WORDS));
+  const flags = (((INTERSECTION | IS_EDGE) >> 4) << POINT_BITS) >>> 0;
+  for (let edge = 0; edge < edgeCount; edge++) {
+    for (let k = 0; k < SEGMENT_POINTS; k++) primitives[PRIMITIVE_WORDS * edge + k] = SEGMENT_POINTS * edge + k;
+    primitives[PRIMITIVE_WORDS * edge + 1] |= flags;
+  }
+  const none = new Float32Array(0);
+  const [{ data }] = pairs;
+  const { createWorker, radius } = data;
+  return new OutlineData(
+    { points, primitives, searched: null, triangleCount: 0, edgeCount, positions: none, normals: none, radius },
+    createWorker,
+  );
+}
