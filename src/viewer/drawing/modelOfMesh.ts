@@ -1,8 +1,30 @@
-import { Box3, type BufferGeometry, Group, Mesh, type Side, SRGBColorSpace, Texture, Vector3, DoubleSide, FrontSide } from 'three';
-import { HatchingComposition, HatchingMaterial, type HatchingMaterialParameters, HatchingOutlines, SceneExtent } from 'three-hatching';
+import {
+  Box3,
+  type BufferGeometry,
+  DoubleSide,
+  FrontSide,
+  Group,
+  Mesh,
+  type Side,
+  SRGBColorSpace,
+  Texture,
+  Vector3,
+} from 'three';
+import {
+  HatchingComposition,
+  HatchingMaterial,
+  type HatchingMaterialParameters,
+  HatchingOutlines,
+  SceneExtent,
+} from 'three-hatching';
 import { packedSide, packedSides } from '../../mesh/occlusion/occlusionSides.js';
 import { cleanMesh } from '../files/mesh/cleanMesh.js';
-import { boundsOf as boundsOfPoints, type PictureRange, type PlainMesh, triangleCount } from '../files/mesh/PlainMesh.js';
+import {
+  boundsOf as boundsOfPoints,
+  type PictureRange,
+  type PlainMesh,
+  triangleCount,
+} from '../files/mesh/PlainMesh.js';
 import type { MeshPicture } from '../files/pictures/meshPictures.js';
 import type { ReadMesh } from '../files/readModel.js';
 import { bakeMesh } from './bakeMesh.js';

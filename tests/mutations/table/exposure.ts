@@ -42,7 +42,8 @@ export const exposure: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/exposure/fitTones.test.ts',
-      title: 'a material takes a fit with its compensation, colours divided by what is white, and a share of the plan of values',
+      title:
+        'a material takes a fit with its compensation, colours divided by what is white, and a share of the plan of values',
     },
   },
   {
@@ -86,7 +87,8 @@ export const exposure: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/exposure/fitTones.test.ts',
-      title: 'a material takes a fit with its compensation, colours divided by what is white, and a share of the plan of values',
+      title:
+        'a material takes a fit with its compensation, colours divided by what is white, and a share of the plan of values',
     },
   },
 ];
