@@ -1,8 +1,8 @@
-import { BackSide, FrontSide, type Mesh, type Object3D, type Vector3 } from 'three';
+import { BackSide, FrontSide, type Material, type Mesh, type Object3D, type Vector3 } from 'three';
 import { assertGeometry } from '../material/diagnostics/assertGeometry.js';
 import { checkGeometry } from '../material/geometry/checkGeometry.js';
-import { copyVectors, cornerRange, extractMesh } from '../material/geometry/extractMesh.js';
-import type { OcclusionMesh, OcclusionScene } from '../mesh/occlusion/OcclusionScene.js';
+import { type CornerRange, copyVectors, cornerRange, extractMesh } from '../material/geometry/extractMesh.js';
+import { BACK, FRONT, type OcclusionMesh, type OcclusionScene } from '../mesh/occlusion/OcclusionScene.js';
 import { runTask } from '../worker/runTask.js';
 import { checkOptions, maxWorkers, type TaskOptions } from '../worker/TaskOptions.js';
 import { assertTree } from './assertTree.js';
@@ -53,9 +53,9 @@ const START_SHARE = 0.05;
  * to four workers. The meshes get a first result soon, and finer ones until the promise resolves.
  *
  * - Every mesh at or below `root` whose geometry comes from `prepareHatchingGeometry` or `applyHatching` receives occlusion. All
- *   visible meshes at or below `root` occlude, with their fronts and backs, except `transparent` ones and those on no layer. Instances, batches, lines
- *   and points take no part.
- * - Each side that is drawn, as `side` of the materials says, gets the occlusion of its own.
+ *   visible meshes at or below `root` occlude, except `transparent` ones and those on no layer. Instances, batches, lines and points take no part.
+ * - Sides count as `side` of the materials says: each that is drawn occludes, and gets the occlusion of its own. Light falls through the
+ *   back of a wall of which only the front is drawn, as the eye does.
  * - Meshes are baked where they are at the time of the call, skins and morph targets at rest. Bake again after a change.
  * - Meshes that share a geometry each get a clone of it, which shares all but eight bytes per vertex. A mesh elsewhere with the
  *   same geometry shows the same occlusion.
@@ -149,9 +149,7 @@ function readersOf(root: Object3D): { readers: MeshReader[]; receivers: Mesh[]; 
       if (isMany(mesh)) continue;
       const receives = hasRoom(mesh.geometry) && mesh.geometry.attributes.normal !== undefined;
       const occludes =
-        mesh.layers.mask !== 0 &&
-        isShown(mesh, root) &&
-        materialsOf(mesh).some(({ visible, transparent }) => visible && !transparent);
+        mesh.layers.mask !== 0 && isShown(mesh, root) && materialsOf(mesh).some((material) => occludingSides(material));
       if (!receives && !occludes) continue;
       readers.push(readerOf(mesh, receives, occludes));
       if (receives) receivers.push(mesh);
@@ -172,8 +170,26 @@ function readerOf(mesh: Mesh, receives: boolean, occludes: boolean): MeshReader 
     normals: receives ? copyVectors(geometry.attributes.normal) : null,
     toWorld,
     sides,
-    occludes,
+    occluding: occludes ? occludingTriangles(mesh, range) : new Uint8Array(range.count / 3),
   });
+}
+
+/** For each triangle of a mesh the sides that occlude. As in three.js, groups count only with several materials. */
+function occludingTriangles({ material }: Mesh, { count, groups }: CornerRange): Uint8Array<ArrayBuffer> {
+  const occluding = new Uint8Array(count / 3);
+  if (!Array.isArray(material)) return occluding.fill(occludingSides(material));
+  for (const { start, count: length, materialIndex = 0 } of groups) {
+    const drawn = material[materialIndex] as Material | undefined;
+    if (drawn) occluding.fill(occludingSides(drawn), start / 3, (start + length) / 3);
+  }
+  return occluding;
+}
+
+/** The sides of a surface of this material that occlude: those that are drawn, unless it is see-through. */
+function occludingSides({ side, visible, transparent }: Material): number {
+  if (!visible || transparent) return 0;
+  if (side === FrontSide) return FRONT;
+  return side === BackSide ? BACK : FRONT + BACK;
 }
 
 /** The sides of a mesh that are drawn. */

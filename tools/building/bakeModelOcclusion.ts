@@ -2,6 +2,7 @@ import { DEFAULT_CREASE_ANGLE } from '../../src/material/geometry/PrepareHatchin
 import { bakePull } from '../../src/mesh/bake/bakePull.js';
 import { addDirections } from '../../src/mesh/occlusion/addDirections.js';
 import type { OcclusionScene } from '../../src/mesh/occlusion/OcclusionScene.js';
+import { BACK, FRONT } from '../../src/mesh/occlusion/OcclusionScene.js';
 import { occlusionOf } from '../../src/mesh/occlusion/occlusionSides.js';
 import { startOcclusion } from '../../src/mesh/occlusion/startOcclusion.js';
 import { isOpen } from '../../src/viewer/drawing/statistics.js';
@@ -40,7 +41,7 @@ export async function bakeModelOcclusion(file: ModelFile): Promise<Uint8Array> {
           normals: baked.normals,
           toWorld: IDENTITY,
           sides,
-          occludes: true,
+          occluding: new Uint8Array(indices.length / 3).fill(sides === 'both' ? FRONT + BACK : FRONT),
         },
       ],
     }),

@@ -8,11 +8,15 @@ export interface OcclusionMesh {
   normals: Float32Array<ArrayBuffer> | null;
   /** The matrix from object space to world space, by columns. */
   toWorld: number[];
-  /** Which sides of it are drawn. The occlusion of those is measured; both sides occlude. */
+  /** Which sides of it are drawn by any of its materials. The occlusion of those is measured. */
   sides: 'front' | 'back' | 'both';
-  /** Whether the mesh occludes others. */
-  occludes: boolean;
+  /** For each triangle the sides that occlude others, as a sum of FRONT and BACK. */
+  occluding: Uint8Array<ArrayBuffer>;
 }
+
+/** The sides of a triangle that occlude. */
+export const FRONT = 1;
+export const BACK = 2;
 
 /** A sphere covered by depth maps, and the samples that are tested in these maps. */
 export interface OcclusionView {
@@ -25,7 +29,13 @@ export interface OcclusionView {
 export interface OcclusionScene {
   /** x, y, z of the vertices of all meshes that occlude. */
   positions: Float32Array<ArrayBuffer>;
+  /**
+   * Three entries per triangle that occludes: first the triangles with two sides, then the others, whose corners run counter-clockwise
+   * as seen from the side that occludes.
+   */
   indices: Uint32Array<ArrayBuffer>;
+  /** The number of triangles of which both sides occlude. */
+  twoSided: number;
   /** x, y, z of each sample: a position on a surface where occlusion is measured, lifted off it by a pixel of its view. */
   samplePositions: Float32Array<ArrayBuffer>;
   /** The unit normal of each sample; zero if it has none. */

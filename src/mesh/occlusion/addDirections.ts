@@ -160,16 +160,16 @@ export function projectionOf(
   );
 }
 
-/** Rasterizes all triangles, whether seen from the front or the back, for both skies at once. */
+/** Rasterizes all triangles for both skies at once; those with one side only for the sky that sees it. */
 function* drawDepths(
   maps: DepthMaps,
-  { positions, indices }: OcclusionScene,
+  { positions, indices, twoSided }: OcclusionScene,
   projection: Projection,
 ): Generator<number, void, void> {
   maps.highest.fill(-Infinity);
   maps.lowest.fill(Infinity);
   yield* forEachChunk(positions.length / 3, (start, end) => project(positions, maps.projected, projection, start, end));
-  yield* forEachChunk(indices.length / 3, (start, end) => drawTriangles(maps, indices, start, end));
+  yield* forEachChunk(indices.length / 3, (start, end) => drawTriangles(maps, indices, twoSided, start, end));
 }
 
 /** Projects a range of points. */
@@ -196,6 +196,7 @@ export const EDGE = -1e-5;
 function drawTriangles(
   { highest, lowest, projected }: DepthMaps,
   indices: Uint32Array,
+  twoSided: number,
   start: number,
   end: number,
 ): void {
@@ -219,6 +220,9 @@ function drawTriangles(
     if (!(bottom <= top)) continue;
     const area = bx * cy - by * cx;
     if (area === 0) continue;
+    const isTwoSided = corner < 3 * twoSided;
+    const isHigh = isTwoSided || area > 0;
+    const isLow = isTwoSided || area < 0;
     // The barycentric weights of b and c at the middle of the first pixel, and how they change to the right and upwards.
     const perArea = 1 / area;
     const rightB = cy * perArea;
@@ -239,8 +243,8 @@ function drawTriangles(
       for (let pixel = row; pixel <= row + width; pixel++) {
         if (shareB >= EDGE && shareC >= EDGE && shareB + shareC <= 1 - EDGE) {
           const depth = az + shareB * bz + shareC * cz;
-          if (depth > highest[pixel]) highest[pixel] = depth;
-          if (depth < lowest[pixel]) lowest[pixel] = depth;
+          if (isHigh && depth > highest[pixel]) highest[pixel] = depth;
+          if (isLow && depth < lowest[pixel]) lowest[pixel] = depth;
         }
         shareB += rightB;
         shareC += rightC;

@@ -1,6 +1,14 @@
 import { asPhase, chunkPhase } from '../phases.js';
 import { weldPositions } from '../weldPositions.js';
-import { MAP_SIZE, NO_SAMPLE, type OcclusionMesh, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
+import {
+  BACK,
+  FRONT,
+  MAP_SIZE,
+  NO_SAMPLE,
+  type OcclusionMesh,
+  type OcclusionScene,
+  type OcclusionView,
+} from './OcclusionScene.js';
 
 /**
  * Lift of samples off their surface along the normal, in pixels. A map holds the depth at the middle of a pixel, which is at most 0.71
@@ -16,7 +24,14 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
   for (const [i, mesh] of meshes.entries()) {
     surfaces.push(yield* asPhase(sampleSurface(mesh), i / (meshes.length + 1), (i + 1) / (meshes.length + 1)));
   }
-  const occluders = surfaces.filter((_, i) => meshes[i].occludes);
+  const occluders = surfaces
+    .map(({ positions, indices }, i) => ({
+      positions,
+      indices,
+      occluding: meshes[i].occluding,
+      isMirrored: determinantOf(meshes[i].toWorld) < 0,
+    }))
+    .filter(({ occluding }) => occluding.some((sides) => sides !== 0));
   const sampled = surfaces.flatMap(({ samples }) => samples ?? []);
   const sides = [...sampled, ...sampled.filter(({ hasBack }) => hasBack).map(backOf)];
   const scene = {
@@ -24,7 +39,7 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
       Float32Array,
       occluders.map(({ positions }) => positions),
     ),
-    indices: joinedIndices(occluders.map(({ indices, positions }) => [indices, positions.length / 3])),
+    ...joinedTriangles(occluders),
     samplePositions: joined(
       Float32Array,
       sides.map(({ positions }) => positions),
@@ -91,16 +106,45 @@ function joined<A extends Float32Array | Uint32Array>(Type: new (length: number)
   return whole;
 }
 
-/** Concatenates the indices of several meshes, and shifts them to the concatenated vertices. */
-function joinedIndices(parts: readonly [indices: Uint32Array, vertices: number][]): Uint32Array<ArrayBuffer> {
-  let first = 0;
-  const shifted = parts.map(([indices, vertices]) => {
-    const moved = indices.map((vertex) => vertex + first);
-    first += vertices;
-    return moved;
-  });
-  return joined<Uint32Array<ArrayBuffer>>(Uint32Array, shifted);
+/** A mesh that occludes, in world space. */
+interface Occluder extends Pick<OcclusionMesh, 'positions' | 'indices' | 'occluding'> {
+  /** Whether its matrix turns counter-clockwise triangles clockwise. */
+  isMirrored: boolean;
 }
+
+/** Joins the triangles of several meshes, and shifts their indices to the joined vertices. */
+function joinedTriangles(occluders: readonly Occluder[]): Pick<OcclusionScene, 'indices' | 'twoSided'> {
+  let twoSided = 0;
+  let oneSided = 0;
+  for (const { occluding } of occluders) {
+    for (const sides of occluding) {
+      if (sides === FRONT + BACK) twoSided++;
+      else if (sides !== 0) oneSided++;
+    }
+  }
+  const joined = new Uint32Array(3 * (twoSided + oneSided));
+  let [two, one, first] = [0, 3 * twoSided, 0];
+  for (const { positions, indices, occluding, isMirrored } of occluders) {
+    for (let triangle = 0; triangle < occluding.length; triangle++) {
+      const sides = occluding[triangle];
+      if (sides === 0) continue;
+      const isTurned = sides !== FRONT + BACK && (sides === BACK) !== isMirrored;
+      const corner = 3 * triangle;
+      const at = sides === FRONT + BACK ? two : one;
+      joined[at] = first + indices[corner];
+      joined[at + 1] = first + indices[isTurned ? corner + 2 : corner + 1];
+      joined[at + 2] = first + indices[isTurned ? corner + 1 : corner + 2];
+      if (sides === FRONT + BACK) two += 3;
+      else one += 3;
+    }
+    first += positions.length / 3;
+  }
+  return { indices: joined, twoSided };
+}
+
+/** The determinant of the upper left 3×3 part of a matrix. */
+const determinantOf = ([a, b, c, , d, e, f, , g, h, i]: readonly number[]): number =>
+  a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e);
 
 /** The share of the samples that count as the bulk of the scene. */
 const BULK = 0.98;
@@ -289,7 +333,7 @@ function toWorldPoints(points: Float32Array, matrix: readonly number[]): Float32
 function toWorldNormals(normals: Float32Array, matrix: readonly number[], sign: number): Float32Array<ArrayBuffer> {
   const [a, b, c, , d, e, f, , g, h, i] = matrix;
   // The cofactors are the inverse transpose times the determinant, of which only the sign matters.
-  const turn = sign * Math.sign(a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e));
+  const turn = sign * Math.sign(determinantOf(matrix));
   const cofactors = [
     e * i - f * h,
     c * h - b * i,

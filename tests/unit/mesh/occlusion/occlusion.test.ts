@@ -1,7 +1,7 @@
 import { BoxGeometry, type BufferGeometry, Matrix4, PlaneGeometry, SphereGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import { addDirections } from '../../../../src/mesh/occlusion/addDirections.js';
-import type { OcclusionMesh, OcclusionScene } from '../../../../src/mesh/occlusion/OcclusionScene.js';
+import { BACK, FRONT, type OcclusionMesh, type OcclusionScene } from '../../../../src/mesh/occlusion/OcclusionScene.js';
 import { occlusionOf, packedSide, packedSides } from '../../../../src/mesh/occlusion/occlusionSides.js';
 import { startOcclusion } from '../../../../src/mesh/occlusion/startOcclusion.js';
 import { finish } from '../meshes.js';
@@ -19,7 +19,7 @@ function meshOf(geometry: BufferGeometry, options: Partial<OcclusionMesh> = {}):
     normals: Float32Array.from(normal.array),
     toWorld: new Matrix4().toArray(),
     sides: 'front',
-    occludes: true,
+    occluding: new Uint8Array((geometry.index ?? position).count / 3).fill(FRONT + BACK),
     ...options,
   };
 }
@@ -134,7 +134,7 @@ describe('what must not darken', () => {
   });
 
   test('a plane below a mesh that occludes nothing', () => {
-    const roof = meshOf(new PlaneGeometry(3, 3).translate(0, 0, 0.5), { occludes: false });
+    const roof = meshOf(new PlaneGeometry(3, 3).translate(0, 0, 0.5), { occluding: new Uint8Array(2) });
     const [ground, above] = bakeOf([meshOf(new PlaneGeometry(1, 1, 4, 4)), roof], 32).occlusions;
     expect(largest(ground)).toBe(0);
     expect(largest(above)).toBe(0);
@@ -148,6 +148,41 @@ describe('what must not darken', () => {
     const [values] = bakeOf([plane, roof], 16).occlusions;
     expect(Math.min(...values.slice(0, 9))).toBeGreaterThan(0.7);
     expect(values[9]).toBe(0);
+  });
+});
+
+describe('a box seen from within', () => {
+  const floorOf = (sides: number, options: Partial<OcclusionMesh> = {}) => {
+    const geometry = new BoxGeometry(1, 1, 1, 4, 4, 4).toNonIndexed();
+    const mesh = meshOf(geometry, { sides: sides === FRONT ? 'front' : 'back', ...options });
+    mesh.occluding.fill(sides);
+    const [values] = bakeOf([mesh], 64).occlusions;
+    const { normal } = geometry.attributes;
+    return mean(values.filter((_, vertex) => normal.getY(vertex) < 0));
+  };
+
+  test('is dark where both sides occlude', () => {
+    const mesh = meshOf(new BoxGeometry(1, 1, 1, 4, 4, 4), { sides: 'back' });
+    expect(mean(bakeOf([mesh], 64).occlusions[0])).toBeGreaterThan(0.98);
+  });
+
+  test.each<[string, number, Partial<OcclusionMesh>]>([
+    ['backs', BACK, {}],
+    ['mirrored backs', BACK, { toWorld: new Matrix4().makeScale(1, 1, -1).toArray() }],
+  ])('gets light through the side that is not drawn: %s', (_, sides, options) => {
+    expect(floorOf(sides, options)).toBeLessThan(0.02);
+  });
+
+  test('is open outside where its fronts alone are drawn', () => {
+    expect(floorOf(FRONT)).toBeLessThan(0.02);
+  });
+
+  test('is shadowed by what stands in it', () => {
+    const room = meshOf(new BoxGeometry(1, 1, 1, 4, 4, 4), { sides: 'back' });
+    room.occluding.fill(BACK);
+    const table = meshOf(new BoxGeometry(0.6, 0.05, 0.6).translate(0, -0.4, 0));
+    const [floor] = bakeOf([room, table], 64).occlusions;
+    expect(largest(floor)).toBeGreaterThan(0.4);
   });
 });
 
