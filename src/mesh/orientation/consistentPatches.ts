@@ -99,6 +99,9 @@ function* flood(
       if (patchOf[seed] !== NO_PATCH || isDegenerate(areaNormals, seed)) continue;
       const patch = patches.isClosed.length;
       let isClosed = true;
+      /** Half-edges whose windings contradict each other, in the file and after turning. Those of a Möbius strip cannot all be put right. */
+      let contrary = 0;
+      let left = 0;
       const areas = [0, 0];
       queue[0] = seed;
       patchOf[seed] = patch;
@@ -119,10 +122,15 @@ function* flood(
             patchOf[next] = patch;
             turned[next] = turned[triangle] ^ contradicts;
             queue[length++] = next;
-          } else if (turned[next] !== (turned[triangle] ^ contradicts)) isClosed = false;
+          } else if (turned[next] !== (turned[triangle] ^ contradicts)) {
+            isClosed = false;
+            left++;
+          }
+          contrary += contradicts;
         }
       }
-      if (areas[1] > areas[0]) for (let at = 0; at < length; at++) turned[queue[at]] ^= 1;
+      if (left > 0 && contrary <= left) for (let at = 0; at < length; at++) turned[queue[at]] = 0;
+      else if (areas[1] > areas[0]) for (let at = 0; at < length; at++) turned[queue[at]] ^= 1;
       patches.isClosed.push(isClosed);
       patches.doubleAreas.push(areas[0] + areas[1]);
     }

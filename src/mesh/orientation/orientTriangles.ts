@@ -3,32 +3,30 @@ import { asPhase } from '../phases.js';
 import { type TriangleMesh, validateTriangleMesh } from '../TriangleMesh.js';
 import { weldPositions } from '../weldPositions.js';
 import { consistentPatches, NO_PATCH, type Patches } from './consistentPatches.js';
+import { Enclosures } from './Enclosures.js';
+import { measureParts, type Part } from './measureParts.js';
 import { type SideVotes, sideVotes } from './sideVotes.js';
 
-/** How much less a patch must be seen from its front than from its back for it to be turned. Others count as seen from both sides. */
+/** How much less an open patch must be seen from its front than from its back for it to be turned. Others are seen from both sides. */
 const LEAST_SHARE = 0.56;
-/** The fewest pixels, over all directions, that tell the side of a patch. */
+/** The fewest votes that tell the side of a patch. */
 const LEAST_VOTES = 4;
-/** A patch counts as hidden if less than this share of it is seen. The bottom of a thing on the floor of a room may be. */
-const HIDDEN = 0.25;
-
-/** A patch with what decides which way it faces. */
-interface Part {
-  isClosed: boolean;
-  least: number[];
-  most: number[];
-  /** Six times the volume that a closed patch encloses, negative if it faces inward; of an open one 0. */
-  volume: number;
-  doubleArea: number;
-}
+/** Open patches of a lesser share of the area in all are left: scans have fragments that face any way. */
+const FRAGMENTS = 0.002;
+/** What is inside a patch counts if it has at least this share of its area. */
+const CONTENTS = 0.03;
+/** Samples of a part are moved towards its middle by this share, since parts that touch lie inside one another, too. */
+const SHRINK = 0.02;
+/** More comparisons of parts would take too long; the parts then count as separate. */
+const MOST_COMPARISONS = 5e7;
 
 /**
  * Finds the triangles that face the wrong way, in a mesh from a file that promises nothing: patches whose windings contradict each other,
- * closed patches that face inward, and open ones that are seen from their back. Nothing is turned that is right:
+ * closed patches that face inward, and open ones that are seen from their back. Nothing is turned that may be right:
  *
- * - a closed patch that another one hides is left as most of it is: it may be the wall of a cavity;
- * - a closed patch that hides others, such as a room with its furniture, is left unless they face inward too;
- * - an open patch that is seen about as much from both sides is left as most of it is.
+ * - a closed patch inside another one is left as most of it is: it may be the wall of a cavity;
+ * - a patch around others, such as a room with its furniture, is left unless they face inward, too;
+ * - an open patch that is seen about as much from both sides, or not at all, is left as most of it is.
  *
  * @returns for each triangle 1 if two of its corners are to be exchanged
  */
@@ -39,14 +37,18 @@ export function* orientTriangles(mesh: TriangleMesh): Generator<number, Uint8Arr
   const patches = yield* asPhase(consistentPatches(canonicalCorners, areaNormals), 0.15, 0.35);
   const { turned, patchOf } = patches;
   const parts = measureParts(mesh, areaNormals, patches);
-  const needsViews = parts.some((part) => !part.isClosed || (part.volume < 0 && isNested(part, parts)));
-  const votes = needsViews ? yield* asPhase(sideVotes(mesh, patches), 0.35, 1) : null;
-  const facesInward = parts.map((part, i) =>
-    part.isClosed ? closedFacesInward(part, parts, votes, i) : openFacesInward(votes!, i),
-  );
+  const around = enclosingParts(mesh, patches);
+  const isTurned = closedInward(parts, around);
+  if (parts.some(({ isClosed }) => !isClosed)) {
+    const votes = yield* asPhase(sideVotes(mesh, patches, parts), 0.4, 1);
+    const inward = [...parts.keys()].filter((i) => !parts[i].isClosed && openFacesInward(votes, i));
+    const isNoise = areaOf(inward.map((i) => parts[i])) < FRAGMENTS * areaOf(parts);
+    for (const i of inward) isTurned[i] = !isNoise;
+    for (const i of inward) if (isRoom(parts, i, isTurned, around)) isTurned[i] = false;
+  }
   for (let triangle = 0; triangle < turned.length; triangle++) {
     const patch = patchOf[triangle];
-    if (patch !== NO_PATCH && facesInward[patch]) turned[triangle] ^= 1;
+    if (patch !== NO_PATCH && isTurned[patch]) turned[triangle] ^= 1;
   }
   yield 1;
   return turned;
@@ -65,69 +67,78 @@ export function* orientChecked(request: {
   return yield* asPhase(orientTriangles(request.mesh), 0.05, 1);
 }
 
+const areaOf = (parts: readonly Part[]): number => parts.reduce((sum, { doubleArea }) => sum + doubleArea, 0);
+
 /** Whether an open patch is seen from its back, and clearly less from its front. */
 const openFacesInward = ({ front, back }: SideVotes, patch: number): boolean =>
   back[patch] >= LEAST_VOTES && front[patch] <= LEAST_SHARE * back[patch];
 
-/** @param votes null if no closed patch that faces inward lies within another one or around one */
-function closedFacesInward(part: Part, parts: readonly Part[], votes: SideVotes | null, patch: number): boolean {
-  if (part.volume >= 0) return false;
-  if (!votes) return true;
-  const isHidden = (i: number): boolean =>
-    votes.front[i] + votes.back[i] < HIDDEN * votes.pixelsPerDoubleArea * parts[i].doubleArea;
-  if (isHidden(patch) && parts.some((other) => other !== part && other.isClosed && isWithin(part, other))) return false;
-  let inside = 0;
-  let outwards = 0;
-  for (const [i, other] of parts.entries()) {
-    if (other === part || !isHidden(i) || !isWithin(other, part)) continue;
-    inside += Math.abs(other.volume);
-    outwards += Math.max(other.volume, 0);
+/** The patches that enclose a part. */
+type Around = (part: Part) => Set<number>;
+
+/** For each part whether it is closed and faces inward without reason. */
+function closedInward(parts: readonly Part[], around: Around): boolean[] {
+  const isInward = parts.map(({ volume }) => volume < 0);
+  const isTurned = [...isInward];
+  const inward = [...parts.keys()].filter((i) => isInward[i]);
+  if (inward.length * parts.length > MOST_COMPARISONS) return isTurned;
+  // From the outermost on, since it matters whether what is around a part was inside out itself.
+  for (const i of inward.sort((a, b) => parts[a].volume - parts[b].volume)) {
+    const isInside = parts.some(
+      (other, k) => k !== i && other.isClosed && !isTurned[k] && isWithin(parts[i], other) && around(parts[i]).has(k),
+    );
+    isTurned[i] = !isInside && !isRoom(parts, i, isInward, around);
   }
-  return outwards <= inside / 2;
+  return isTurned;
 }
 
-/** Whether a part lies within the box of another one, or another one within its box. */
-const isNested = (part: Part, parts: readonly Part[]): boolean =>
-  parts.some((other) => other !== part && (isWithin(part, other) || isWithin(other, part)));
+/** Whether enough lies inside a part that does not face inward as it does. */
+function isRoom(parts: readonly Part[], room: number, isInward: readonly boolean[], around: Around): boolean {
+  let inward = 0;
+  let others = 0;
+  for (const [i, part] of parts.entries()) {
+    if (i === room || !isWithin(part, parts[room]) || !around(part).has(room)) continue;
+    if (isInward[i]) inward += part.doubleArea;
+    else others += part.doubleArea;
+  }
+  return others > inward && others > CONTENTS * parts[room].doubleArea;
+}
+
+/** Returns a function for the patches that enclose a part, which finds them on demand. */
+function enclosingParts(mesh: TriangleMesh, patches: Patches): Around {
+  let enclosures: Enclosures | undefined;
+  const known = new Map<Part, Set<number>>();
+  return (part) => {
+    const found = known.get(part);
+    if (found) return found;
+    enclosures ??= new Enclosures(mesh, patches);
+    const made = enclosing(part, mesh, enclosures);
+    known.set(part, made);
+    return made;
+  };
+}
+
+/** The patches that enclose all samples of a part. */
+function enclosing(
+  { least, most, samples }: Part,
+  { positions, indices }: TriangleMesh,
+  enclosures: Enclosures,
+): Set<number> {
+  let found: Set<number> | undefined;
+  for (const triangle of samples) {
+    const at = 3 * indices[3 * triangle];
+    const [x, y, z] = [0, 1, 2].map(
+      (k) => positions[at + k] + SHRINK * (0.5 * (least[k] + most[k]) - positions[at + k]),
+    );
+    const here = enclosures.around([x, y, z]);
+    found = found ? new Set([...found].filter((patch) => here.has(patch))) : here;
+    if (found.size === 0) break;
+  }
+  return found ?? new Set();
+}
 
 /** Whether the bounding box of a part lies within that of another. */
 function isWithin(inner: Part, outer: Part): boolean {
   for (let k = 0; k < 3; k++) if (inner.least[k] < outer.least[k] || inner.most[k] > outer.most[k]) return false;
   return true;
-}
-
-function measureParts(mesh: TriangleMesh, areaNormals: Float64Array, patches: Patches): Part[] {
-  const { positions, indices } = mesh;
-  const { patchOf, turned, isClosed, doubleAreas } = patches;
-  const parts = isClosed.map(
-    (isWhole, i): Part => ({
-      isClosed: isWhole,
-      least: [Infinity, Infinity, Infinity],
-      most: [-Infinity, -Infinity, -Infinity],
-      volume: 0,
-      doubleArea: doubleAreas[i],
-    }),
-  );
-  /** The first vertex of each patch, by its place in `positions`. */
-  const apexes: number[] = [];
-  for (let triangle = 0; triangle < patchOf.length; triangle++) {
-    const patch = patchOf[triangle];
-    if (patch === NO_PATCH) continue;
-    const part = parts[patch];
-    const corners = [0, 1, 2].map((k) => 3 * indices[3 * triangle + k]);
-    for (let k = 0; k < 3; k++) {
-      for (const at of corners) {
-        if (positions[at + k] < part.least[k]) part.least[k] = positions[at + k];
-        if (positions[at + k] > part.most[k]) part.most[k] = positions[at + k];
-      }
-    }
-    if (!part.isClosed) continue;
-    apexes[patch] ??= corners[0];
-    // Measured from a vertex of the patch, since far from the origin the sum would lose its digits.
-    let pyramid = 0;
-    for (let k = 0; k < 3; k++)
-      pyramid += (positions[corners[0] + k] - positions[apexes[patch] + k]) * areaNormals[3 * triangle + k];
-    part.volume += turned[triangle] ? -pyramid : pyramid;
-  }
-  return parts;
 }

@@ -3,6 +3,7 @@ import { EDGE, mapAxes, project, projectionOf } from '../occlusion/addDirections
 import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 import { NO_PATCH, type Patches } from './consistentPatches.js';
+import type { Part } from './measureParts.js';
 
 /** Pixels to a side of a map of nearest triangles. */
 const SIZE = 128;
@@ -12,13 +13,18 @@ const PAIRS = 16;
 const LEAST_COSINE = 0.1;
 const NO_TRIANGLE = -1;
 
-/** How many pixels show the front of each patch, and how many its back, from all directions. */
+/** How many pixels show the front of each patch, and how many its back, from all directions; of patches that fill none, how many samples. */
 export interface SideVotes {
   front: Float64Array;
   back: Float64Array;
-  /** How many pixels show a convex body that nothing hides, for each unit of twice its area (Cauchy: a silhouette is a quarter of it). */
-  pixelsPerDoubleArea: number;
 }
+
+/** Of patches with fewer pixels samples count. */
+const LEAST_PIXELS = 4;
+/** How far behind the nearest surface a sample may lie to be seen, in pixels. */
+const LIFT = 0.5;
+/** A sample that is seen from a lesser share of the directions lies in a gap. */
+const LEAST_SEEN = 0.1;
 
 /** The two maps of a pair of directions. */
 interface NearestMaps {
@@ -33,7 +39,11 @@ interface NearestMaps {
  * Counts from which side patches are seen, from 32 directions around the mesh. The front of a triangle is where its corners run
  * counterclockwise after those in `turned` were turned.
  */
-export function* sideVotes(mesh: TriangleMesh, patches: Patches): Generator<number, SideVotes, void> {
+export function* sideVotes(
+  mesh: TriangleMesh,
+  patches: Patches,
+  parts: readonly Part[],
+): Generator<number, SideVotes, void> {
   const { positions, indices } = mesh;
   const count = patches.isClosed.length;
   const pixels = SIZE * SIZE;
@@ -45,11 +55,8 @@ export function* sideVotes(mesh: TriangleMesh, patches: Patches): Generator<numb
   const { min, max, radius } = yield* measureBounds(mesh);
   const center: Bounds['min'] = [0.5 * (min[0] + max[0]), 0.5 * (min[1] + max[1]), 0.5 * (min[2] + max[2])];
   const scale = SIZE / (2 * radius);
-  const votes: SideVotes = {
-    front: new Float64Array(count),
-    back: new Float64Array(count),
-    pixelsPerDoubleArea: (2 * PAIRS * scale ** 2) / 8,
-  };
+  const votes = noVotes(count);
+  const ofSamples = noVotes(count);
   for (let pair = 0; pair < PAIRS; pair++) {
     const projection = projectionOf(mapAxes(pair), { center, radius }, SIZE);
     for (const map of maps.triangles) map.fill(NO_TRIANGLE);
@@ -62,8 +69,46 @@ export function* sideVotes(mesh: TriangleMesh, patches: Patches): Generator<numb
       (pair + 1) / PAIRS,
     );
     countVotes(maps, indices, patches, scale, votes);
+    for (const [patch, { samples }] of parts.entries()) {
+      if (parts[patch].isClosed) continue;
+      for (const triangle of samples) countSample(maps, indices, patches, scale, triangle, ofSamples);
+    }
+  }
+  for (const [patch, { samples }] of parts.entries()) {
+    const seen = ofSamples.front[patch] + ofSamples.back[patch];
+    if (votes.front[patch] + votes.back[patch] >= LEAST_PIXELS) continue;
+    if (seen < LEAST_SEEN * 2 * PAIRS * samples.length) continue;
+    votes.front[patch] = ofSamples.front[patch];
+    votes.back[patch] = ofSamples.back[patch];
   }
   return votes;
+}
+
+const noVotes = (count: number): SideVotes => ({ front: new Float64Array(count), back: new Float64Array(count) });
+
+/** Counts from which of the two directions the middle of a triangle is seen. */
+function countSample(
+  { depths: [highest, lowest], projected }: NearestMaps,
+  indices: Uint32Array,
+  { turned, patchOf }: Patches,
+  scale: number,
+  triangle: number,
+  { front, back }: SideVotes,
+): void {
+  const area = signedArea(projected, indices, turned, triangle);
+  if (Math.abs(area) < LEAST_COSINE * doubleAreaOf(projected, indices, triangle, scale)) return;
+  const [x, y, depth] = [0, 1, 2].map(
+    (k) =>
+      (projected[3 * indices[3 * triangle] + k] +
+        projected[3 * indices[3 * triangle + 1] + k] +
+        projected[3 * indices[3 * triangle + 2] + k]) /
+      3,
+  );
+  const pixel = Math.floor(y) * SIZE + Math.floor(x);
+  const tolerance = LIFT / scale;
+  const patch = patchOf[triangle];
+  if (!(highest[pixel] > depth + tolerance)) (area > 0 ? front : back)[patch]++;
+  if (!(lowest[pixel] < depth - tolerance)) (area > 0 ? back : front)[patch]++;
 }
 
 /** Twice the signed area of a projected triangle in square pixels: positive if its front faces the first direction. */
