@@ -46,7 +46,6 @@ const SEPARATE = [
         'mesh/(?:corners|phases|runSliced)',
         'mesh/bake/vertexWords',
         'mesh/form/FormField',
-        'mesh/features/contourCandidates',
       ],
       'worker/(?:runTask|workerFrom)',
     ),

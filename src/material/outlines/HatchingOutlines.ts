@@ -15,7 +15,6 @@ import { fetchDeformations, fetchedDeformations } from '../deformation/laterDefo
 import { warnOfRenderer } from '../diagnostics/warn.js';
 import { forgetClipping } from '../three/clipping.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
-import { InstanceList } from './InstanceList.js';
 import { fadingLookOf, MeshOutlines, meanScale, NO_PARTS } from './MeshOutlines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
@@ -178,7 +177,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     // Suggestive contours may be anywhere on surfaces that face the eye.
     const isAnywhere = this.isDeformed || weights.suggestiveContours > 0;
     const list = isAnywhere ? null : this.listFor(camera, part, mesh, uniforms.eye.value);
-    if (list instanceof InstanceList) {
+    if (list && 'places' in list) {
       // The list holds the instance of each primitive, so three.js draws a single instance.
       this.count = 1;
       uniforms.instancePlaces.value = list.places;

@@ -1,18 +1,4 @@
-import {
-  Box3,
-  type Camera,
-  Frustum,
-  type InstancedMesh,
-  Layers,
-  type Material,
-  Matrix4,
-  type Mesh,
-  Object3D,
-  Sphere,
-  Vector3,
-  type Vector4,
-  type WebGLRenderer,
-} from 'three';
+import { Box3, type Camera, Frustum, type InstancedMesh, Layers, type Material, Matrix4, type Mesh, Object3D, Sphere, Vector3, type Vector4, type WebGLRenderer } from 'three';
 import { deforms, morphsEachInstance } from '../deformation/canDeform.js';
 import type { Deformation } from '../deformation/Deformation.js';
 import type { Deformations } from '../deformation/Deformations.js';
@@ -23,8 +9,9 @@ import type { FadingLook } from '../fading/fading.js';
 import { outlineDataOf } from '../geometry/OutlineData.js';
 import { pulledVerticesOf } from '../geometry/pulledVerticesOf.js';
 import { NO_VERTICES, SpriteLike } from '../three/posing.js';
-import { ContourList } from './ContourList.js';
-import { InstanceList } from './InstanceList.js';
+import type { ContourList } from './ContourList.js';
+import type { InstanceList } from './InstanceList.js';
+import { fetchedLists } from './laterLists.js';
 import { drawnParts, forgetIntersections } from './loadIntersections.js';
 import { type OutlinePart, OutlineParts } from './OutlineParts.js';
 import { copyDrawState, type DrawState, isScaledToNothing, takeDrawState } from './surfaceRules.js';
@@ -289,12 +276,14 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Spr
   protected listFor(camera: Camera, part: OutlinePart, mesh: Mesh, eye: Vector4): ContourList | InstanceList | null {
     const { boundingSphere } = mesh.geometry;
     if (!boundingSphere || part.isNew) return null;
+    const kinds = fetchedLists();
+    if (!kinds) return null;
     const { data, lists } = part;
     if ('isInstancedMesh' in mesh) {
-      const list = lists.of(camera, InstanceList);
+      const list = lists.of(camera, kinds.InstanceList);
       return list.update(data, mesh as InstancedMesh, eye) ? list : null;
     }
-    const list = lists.of(camera, ContourList);
+    const list = lists.of(camera, kinds.ContourList);
     return list.update(data, eye, boundingSphere) ? list : null;
   }
 }

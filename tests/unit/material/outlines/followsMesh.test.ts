@@ -273,13 +273,12 @@ test('a draw range is followed when it changes, and ends in borders', () => {
   expect(draw(outlines)).toEqual([all]);
 });
 
-test('a part has a list once it is unchanged', () => {
+test('a part has a list once it is unchanged, and the code of lists is there', async () => {
   const { mesh, outlines } = outlined(box, new MeshBasicMaterial(), { weights: { suggestiveContours: 0 } });
   const renderer = new NotingRenderer();
   mesh.geometry.setDrawRange(0, 24);
-  const [[first], [second]] = [renderer.draw(outlines), renderer.draw(outlines)];
-  expect(first.primitives).toBe(8 + 12);
-  expect(second.primitives).toBeLessThan(first.primitives);
+  expect(renderer.draw(outlines)[0].primitives).toBe(8 + 12);
+  await vi.waitFor(() => expect(renderer.draw(outlines)[0].primitives).toBeLessThan(8 + 12));
   mesh.geometry.setDrawRange(0, Infinity);
 });
 
