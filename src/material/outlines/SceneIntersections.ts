@@ -1,6 +1,6 @@
 import { Box3, Matrix4, type Mesh, type Object3D } from 'three';
 import type { PackedSurface } from '../../mesh/intersections/intersectOutlines.js';
-import { pairsOf } from '../../mesh/intersections/pairsOf.js';
+import { MOST_TRIANGLES, pairsOf } from '../../mesh/intersections/pairsOf.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
 import { deforms } from '../deformation/canDeform.js';
@@ -107,7 +107,7 @@ class SceneIntersections {
       }
       kept.add(outlines);
       const data = outlineDataOf(mesh.geometry);
-      if (data && wantsIntersections(outlines) && isRigid(mesh)) {
+      if (data && data.triangleCount <= MOST_TRIANGLES && wantsIntersections(outlines) && isRigid(mesh)) {
         searched.push({ outlines, mesh, data, lines: member.lines });
       }
     }

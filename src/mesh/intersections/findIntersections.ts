@@ -2,7 +2,7 @@ import { asPhase } from '../phases.js';
 import { crossMeshes, type Work } from './crossMeshes.js';
 import { joinSegments } from './joinSegments.js';
 import { boxOf, type Grid, gridOver, type IntersectingMesh, MeetingMesh } from './MeetingMesh.js';
-import { pairsOf } from './pairsOf.js';
+import { MOST_TRIANGLES, pairsOf } from './pairsOf.js';
 
 /** What `findIntersections` is asked for. Plain data. */
 export interface IntersectionRequest {
@@ -28,7 +28,7 @@ export interface MeetingLines {
 const MOST_WORK = 2 ** 25;
 /** Finds the lines along which the surfaces of meshes cut each other, and those of the shells of each mesh. Yields its progress. */
 export function* findIntersections({ meshes, pairs }: IntersectionRequest): Generator<number, MeetingLines[], void> {
-  const boxes = meshes.map(boxOf);
+  const boxes = meshes.map((mesh) => (mesh.triangles.length <= 3 * MOST_TRIANGLES ? boxOf(mesh) : null));
   yield 0.05;
   const known = boxes.filter((box) => box !== null);
   const grid = gridOver(known);

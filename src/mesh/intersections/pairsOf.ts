@@ -1,5 +1,8 @@
 import { boxesMeet } from './TriangleTree.js';
 
+/** Most triangles of a mesh whose lines are looked for. Scans are larger, and of one part. */
+export const MOST_TRIANGLES = 2 ** 20;
+
 /** Most pairs of meshes. */
 const MOST_PAIRS = 2 ** 18;
 

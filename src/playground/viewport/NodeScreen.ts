@@ -116,6 +116,7 @@ export class NodeScreen implements Screen {
     };
     const materials = { floor: new HatchingNodeMaterial(), shadow: new HatchingShadowNodeMaterial() };
     this.ground = new Ground(this.scene, () => this.outdate(), materials);
+    this.scene.addEventListener('intersections' as 'added', () => host.refine());
   }
 
   /** The WebGPU device; undefined if the renderer has fallen back to WebGL. */

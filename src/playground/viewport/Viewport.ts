@@ -58,6 +58,8 @@ export class Viewport {
       (framedPoints, toEye) => scenery.shadowOf(framedPoints, toEye),
     );
     painter.sheetOf = () => this.view.sheet ?? WHOLE_SHEET;
+    // Lines where parts meet come some time after the parts.
+    scenery.scene.addEventListener('intersections' as 'added', invalidate);
     this.contextLoss = new ContextLoss(painter, scenery, this.frames, this.quality);
     new ResizeObserver(() => this.resize()).observe(viewport);
     this.resize();

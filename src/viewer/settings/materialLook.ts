@@ -218,6 +218,7 @@ export function outlineLook(settings: Settings) {
     lostEdges: settings.outlineLost / 100,
     accents: settings.outlineAccents / 100,
     hidden: settings.outlineHidden,
+    intersections: settings.outlineMeetings === 'on',
     wobble: settings.outlineHand,
     overshoot: OVERSHOOT * Math.max(0, settings.outlineHand - LIGHT_HAND),
     // Outlines are drawn with what strokes are drawn with.

@@ -12,6 +12,8 @@ export const PAGE_DEFAULTS = {
   // As lines cross; strokes do so in deeper shade.
   crossFrom: 52,
   outlineHand: 0.5,
+  // Files have parts that run into one another; a scene made in code is known to its author.
+  outlineMeetings: 'on',
   // The tone is that of the light, under lights that anybody may turn up.
   toneCurve: 'linear',
   exposure: 'auto',

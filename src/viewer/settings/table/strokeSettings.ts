@@ -247,6 +247,13 @@ export const OUTLINE_SETTINGS = inGroup('Outlines', 'hand', {
     default: HATCHING_OUTLINE_DEFAULTS.hidden,
     choices: { none: 'Not drawn', dashed: 'Dashed', faint: 'Faint' },
   },
+  outlineMeetings: {
+    kind: 'choice',
+    label: 'Where parts meet',
+    when: DRAWN,
+    default: PAGE_DEFAULTS.outlineMeetings,
+    choices: { on: 'Drawn', off: 'Not drawn' },
+  },
   outlineHand: {
     ...outlineOf('wobble', 'px', { label: 'Hand', max: 4, ends: ['ruled', 'loose'] }),
     default: PAGE_DEFAULTS.outlineHand,

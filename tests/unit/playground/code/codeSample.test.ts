@@ -231,7 +231,9 @@ describe('codeSample', () => {
     // With another ink it is that preset, and the ink.
     const inked = codeSample({ ...settings, ink: '#203080' });
     expect(inked).toContain(`material: {\n    ...presets.${name}.material,\n    ink: '#203080',\n  },`);
-    expect(inked).toContain(`outlines: {\n    ...presets.${name}.outlines,\n    ink: '#203080',\n  },`);
+    expect(inked).toContain(
+      `outlines: {\n    ...presets.${name}.outlines,\n    intersections: true,\n    ink: '#203080',\n  },`,
+    );
   });
 
   test.each<[Partial<Settings>, boolean]>([

@@ -15,7 +15,11 @@ import { defaultSettings } from '../../../../src/viewer/settings/settings.js';
 import { PAGE_DEFAULTS } from '../../../../src/viewer/settings/table/pageDefaults.js';
 
 /** The properties of material and outlines that settings of other names stand for. */
-const PROPERTIES: Record<string, string> = { lightStrength: 'exposureCompensation', outlineHand: 'wobble' };
+const PROPERTIES: Record<string, string> = {
+  lightStrength: 'exposureCompensation',
+  outlineHand: 'wobble',
+  outlineMeetings: 'intersections',
+};
 
 const settings = { ...defaultSettings(), background: 'on' } as const;
 const look = lookOf(settings);
