@@ -86,10 +86,11 @@ export class PartRows {
 
   private draw(): void {
     const { scroller, list, rows, shown } = this;
-    if (scroller.clientHeight === 0) return;
     this.height ||= Number.parseFloat(getComputedStyle(list).getPropertyValue('--row'));
     const { height } = this;
     list.style.height = `${rows.length * height}px`;
+    // The fold is closed.
+    if (scroller.clientHeight === 0) return;
     const first = Math.max(0, Math.floor(scroller.scrollTop / height) - MARGIN);
     const last = Math.min(rows.length - 1, Math.ceil((scroller.scrollTop + scroller.clientHeight) / height) + MARGIN);
     for (const [index, elements] of shown) {

@@ -87,26 +87,35 @@ const NO_GROUP = /^(default|off|\(null\)|null)?$/i;
 
 /**
  * Gives the only mesh of an OBJ file its named runs of triangles, by the comments that `cleanObj` has made of the names of its objects and
- * groups. Does nothing if there are fewer than two names.
+ * groups. Objects may have the same name; a group may be taken up again. Does nothing if there is only one.
  */
 function nameRuns(root: Object3D, text: string): void {
   const [mesh, ...others] = root.getObjectsByProperty('isMesh', true);
   if (!mesh || others.length > 0 || !text.includes('#')) return;
-  const runs: NamedRun[] = [{ start: 0, name: '' }];
-  let [object, group, corners] = ['', '', 0];
+  const parts = new Map<string, number>();
+  const partOf = (key: string): number => {
+    const part = parts.get(key) ?? parts.size;
+    parts.set(key, part);
+    return part;
+  };
+  const runs: NamedRun[] = [{ start: 0, name: '', part: partOf('') }];
+  let [object, group, objects, corners] = ['', '', 0, 0];
   for (const [line, word, name = ''] of text.matchAll(/^(?:#([og])(?:[ \t](.*))?|[ \t]*f[ \t].*)$/gm)) {
     if (word === undefined) {
       corners += 3 * Math.max(0, line.trim().split(/[ \t]+/).length - 3);
       continue;
     }
-    if (word === 'o') [object, group] = [name, ''];
-    else group = NO_GROUP.test(name) ? '' : name;
+    if (word === 'o') {
+      [object, group] = [name, ''];
+      objects++;
+    } else group = NO_GROUP.test(name) ? '' : name;
     const whole = object && group && !group.startsWith(object) ? `${object}: ${group}` : group || object;
+    const part = partOf(objects === 0 ? group : `${objects} ${group}`);
     const last = runs[runs.length - 1];
-    if (last.start === corners) last.name = whole;
-    else if (last.name !== whole) runs.push({ start: corners, name: whole });
+    if (last.start === corners) Object.assign(last, { name: whole, part });
+    else if (last.part !== part) runs.push({ start: corners, name: whole, part });
   }
-  if (new Set(runs.map(({ name }) => name)).size > 1) mesh.userData.runs = runs;
+  if (new Set(runs.map(({ part }) => part)).size > 1) mesh.userData.runs = runs;
 }
 
 /** Makes vertices without a colour white where others have one. Otherwise three's loader assigns colours to the wrong vertices. */

@@ -90,6 +90,8 @@ export function mergeScene(
 export interface NamedRun {
   start: number;
   name: string;
+  /** The part that it belongs to: a name may be that of several parts. */
+  part: number;
 }
 
 /** Corners of a mesh with one material, and in one named run. */
@@ -97,8 +99,8 @@ interface Piece {
   start: number;
   count: number;
   material: Material | undefined;
-  /** The name of its run; undefined for a mesh without runs. */
-  run: string | undefined;
+  /** Its run; undefined for a mesh without runs. */
+  run: NamedRun | undefined;
   /** The index of its picture, or -1. */
   picture: number;
   isSeeThrough: boolean;
@@ -180,7 +182,7 @@ function runsIn(
   for (let i = lastAtOrBefore(runs, start); i < runs.length && runs[i].start < start + count; i++) {
     const from = Math.max(runs[i].start, start);
     const to = Math.min(runs[i + 1]?.start ?? Infinity, start + count);
-    if (to > from) found.push({ start: from, count: to - from, run: runs[i].name });
+    if (to > from) found.push({ start: from, count: to - from, run: runs[i] });
   }
   return found;
 }
@@ -203,11 +205,11 @@ function namedParts(placed: readonly Part[], vertexCount: number, root: Object3D
   const names = meshNames(root, meshes);
   const ofMeshes = new Map(meshes.map((mesh, i) => [mesh, i]));
   const keyOf = (mesh: Mesh, { run, material }: Piece): string | number => {
-    if (run !== undefined) return run;
+    if (run) return run.part;
     return meshes.length === 1 ? (material?.uuid ?? '') : ofMeshes.get(mesh)!;
   };
   const nameOf = (mesh: Mesh, { run, material }: Piece): string => {
-    if (run !== undefined) return run;
+    if (run) return run.name;
     return meshes.length === 1 ? materialName(material) : names[ofMeshes.get(mesh)!];
   };
   const indices = new Map<string, number>();

@@ -62,10 +62,10 @@ describe('parts of a file', () => {
   test('objects and groups of an OBJ file, whichever faces they have', async () => {
     const text = obj(
       ...['# o not an object', 'o Chair', 'usemtl wood', 3, 4, 'g Chair_Seat', 'usemtl cloth', 5],
-      ...['o Table', 'g default', 3, 'g Leg', 6, 'o Chair', 3],
+      ...['o Table', 'g default', 3, 'g Leg', 6, 'g default', 3, 'o Chair', 3],
     );
     const { mesh } = await read(['a.obj', text]);
-    expect(countsOf(mesh)).toEqual({ Chair: 4, Chair_Seat: 3, Table: 1, 'Table: Leg': 4 });
+    expect(countsOf(mesh)).toEqual({ Chair: 3, Chair_Seat: 3, Table: 2, 'Table: Leg': 4, 'Chair 2': 1 });
   });
 
   test('materials of an OBJ file of one object', async () => {
