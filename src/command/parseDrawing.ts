@@ -28,6 +28,10 @@ export interface DrawingOptions {
   up: 'y' | 'z' | 'x' | '-y' | '-z' | '-x' | undefined;
   /** The name of a material variant of the model, or its number, counted from 1. */
   variant: string | undefined;
+  /** Names of parts of the model that are hidden; `*` stands for any letters. */
+  hide: readonly string[];
+  /** Names of the only parts that are drawn; empty for all. */
+  only: readonly string[];
   /** The format of the model as a file extension, where neither content nor name tells it. */
   format: string | undefined;
   /** The name of a clip of the model, or its number, counted from 1. */
@@ -104,6 +108,8 @@ const OPTIONS = {
   'no-shadows': { type: 'boolean' },
   up: { type: 'string' },
   variant: { type: 'string' },
+  hide: { type: 'string', multiple: true },
+  only: { type: 'string', multiple: true },
   clip: { type: 'string' },
   frames: { type: 'string' },
   kind: { type: 'string' },
@@ -172,6 +178,8 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --hidden <kind>          outlines behind surfaces: none, dashed or faint (default: as the look has them)
   --animate <seconds>      files that draw themselves on a web page
   --frames <count>         numbered files of a turn of the model, or of its clip
+  --hide <name>            leaves out a part of the model; may be given several times, and * stands for any letters
+  --only <name>            draws this part alone; as --hide
   --variant <name>         a variant of the materials of a glTF file; its number will do
   --clip <name>            poses the model by this clip; its number will do
   --format <name>          the format of a model that does not tell it: stl, obj, …
@@ -182,7 +190,7 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --help                   prints this text
   --version                prints the version of three-hatching
 
-Of an option that is given twice the last value counts.
+Of an option that is given twice the last value counts, except of --hide and --only.
 `;
 
 /**
@@ -223,6 +231,8 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     shadows: values['no-shadows'] ? false : values.shadows,
     up: choice('up', values.up, AXES),
     variant: nameOf('variant', values.variant),
+    hide: namesOf('hide', values.hide),
+    only: namesOf('only', values.only),
     format: formatOf(values.format),
     clip: nameOf('clip', values.clip),
     frames: whole('frames', values.frames, 9999),
@@ -262,6 +272,12 @@ function formatOf(text: string | undefined): string | undefined {
 function nameOf(option: string, text: string | undefined): string | undefined {
   if (text === undefined || text.trim() !== '') return text;
   throw new UsageError(`--${option} is ${shown(text)}, but must be a name, or a number from 1 on.`);
+}
+
+/** The names of parts after an option that may be given several times. */
+function namesOf(option: string, texts: readonly string[] = []): readonly string[] {
+  if (texts.every((text) => text.trim() !== '')) return texts;
+  throw new UsageError(`--${option} is ${shown('')}, but must be the name of a part.`);
 }
 
 /** The hash of a link, which may also be given alone. */

@@ -19,7 +19,7 @@ type Options = NonNullable<ParseArgsConfig['options']>;
 const MISTYPED = 2;
 
 /**
- * Reads the options of a command. The last of repeated options counts.
+ * Reads the options of a command. The last of repeated options counts, unless they are `multiple`.
  *
  * @param help the command line that prints the help
  * @throws UsageError whose message is a single sentence, with a suggestion for a mistyped option
@@ -78,7 +78,7 @@ const isBeginning = (typed: string, name: string): boolean =>
   Math.min(typed.length, name.length) > 2 && (name.startsWith(typed) || typed.startsWith(name));
 
 /** The edit distance between two words: letters added, left out, replaced or swapped. */
-function changesBetween(a: string, b: string): number {
+export function changesBetween(a: string, b: string): number {
   const rows = [Array.from({ length: b.length + 1 }, (_, j) => j)];
   for (let i = 1; i <= a.length; i++) {
     rows[i] = [i];

@@ -51,6 +51,8 @@ async function open(page: Page, ...files: TestFile[]): Promise<void> {
   await drop(page, files);
   await ready(page);
   await fold(page).click();
+  // The part below the pointer would show.
+  await page.mouse.move(300, 10);
 }
 
 test('parts of a joined mesh are hidden and shown, with undo, and a reload restores them', async ({ page }) => {

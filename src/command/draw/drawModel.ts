@@ -21,6 +21,7 @@ import { turnCamera } from '../../viewer/sceneSetup/placeCamera.js';
 import { type HowRead, isReadAlike, type ModelChoice, NO_CHOICE, readLink } from '../../viewer/settings/shareLink.js';
 import type { DrawingCounts, DrawMessage, DrawTask } from '../draw.js';
 import type { DrawingOptions } from '../parseDrawing.js';
+import { chooseParts } from './chooseParts.js';
 import { plainSentence } from './failure.js';
 import { NodeSurroundings } from './NodeSurroundings.js';
 import { type ReadyScene, settingsFor, setUpScene } from './setUpScene.js';
@@ -60,7 +61,11 @@ export async function drawModel(
     read = await readFrom(file, surroundings, { ...linked, variant }, say);
   }
   const report = (stage: string, share = 0): void => progress(stage, READ + (JOINED - READ) * share);
-  const { model, notes } = await buildModel(read, report, signal);
+  const { model, notes } = await buildModel(read, report, signal, false, (names) =>
+    chooseParts(names, options, linked.hidden ?? [], name),
+  );
+  if (!model.parts && options.hide.length + options.only.length > 0)
+    throw new ModelError(`${name} has only one part, so --hide and --only have nothing to choose from.`);
   tellFaults(name, read, notes, note);
   const drawnWith = settingsFor(options, link, read.upAxis);
   chooseClip(model, options, linked, name);

@@ -52,6 +52,13 @@ describe('the command line of draw', () => {
     );
   });
 
+  test('parts of the file, any number of them', () => {
+    expect(drawing(...OUT).options).toMatchObject({ hide: [], only: [] });
+    const line = ['--hide', 'Roof', '--only', 'Wall*', '--hide', 'Door'];
+    expect(drawing(...OUT, ...line).options).toMatchObject({ hide: ['Roof', 'Door'], only: ['Wall*'] });
+    expect(refusal(...OUT, '--only', ' ')).toBe('--only is "", but must be the name of a part.');
+  });
+
   test('names ignore case, the last of two values counts, and arguments after -- are models', () => {
     const line = ['--preset', 'CROSSHATCHING', '--kind', 'Pen', '--up', '-Z', '--pen', '1', '--pen', '2'];
     const { models, options } = drawing(...OUT, ...line, '--', '-1.obj');
