@@ -17,11 +17,11 @@ import type { MeshLook } from './geometryPlans.js';
 import type { BakedGeometry, LookMakers, MadeLooks, SceneStyle } from './HatchingCall.js';
 import type { LaterForms } from './LaterForms.js';
 import type { HideDetail } from './levelMaker.js';
-import { exchangeLook, isAsHatched, isOccluded, isSame, lookOf, replaced } from './meshLooks.js';
+import { exchangeLook, type InPlaceOf, isAsHatched, isOccluded, isSame, lookOf, replaced } from './meshLooks.js';
 import { type PreparedCall, prepareLooks } from './prepareLooks.js';
 import type { PresetName } from './presets.js';
 import type { SkippedMesh } from './SkippedMesh.js';
-import { type InPlaceOf, StyleChange } from './StyleChange.js';
+import type { StyleChange } from './StyleChange.js';
 import { COMPOSITION_NAMES, numbersOf, plainOf, styleOf } from './sceneStyles.js';
 import { claimMeshes, isHatching, materialsOf } from './surfaceMeshes.js';
 
@@ -282,9 +282,9 @@ export class HatchedScene {
     this.underWay = call;
     this.released.clear();
     const { wanted } = this;
-    const change = wanted ? new StyleChange(this.style, wanted) : null;
     let goesOn = false;
     try {
+      const change = wanted ? new (await import('./StyleChange.js')).StyleChange(this.style, wanted) : null;
       const prepared = await prepareLooks(call, this.makers, {
         style,
         reusable: this.baked,

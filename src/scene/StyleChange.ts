@@ -3,6 +3,7 @@ import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import type { ApplyHatchingOptions } from './ApplyHatchingOptions.js';
 import { namesIn } from './GivenValues.js';
 import type { SceneStyle } from './HatchingCall.js';
+import type { InPlaceOf } from './meshLooks.js';
 import type { OutlineMaker } from './OutlineMaker.js';
 import type { Replacement } from './Replacement.js';
 
@@ -11,9 +12,6 @@ const passedNames = ({ preset }: ApplyHatchingOptions, parameters: unknown): str
   preset !== undefined && typeof parameters === 'object' && parameters !== null
     ? [...Object.keys(parameters), ...namesIn(parameters)]
     : [];
-
-/** The former material in place of a new one, or the same. */
-export type InPlaceOf = ReadonlyMap<Material, Material>;
 
 /**
  * The change of a scene from one look to another. What was changed on the materials of the first is carried over, and they stay in use,

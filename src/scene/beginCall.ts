@@ -1,5 +1,4 @@
 import type { Mesh, Object3D } from 'three';
-import { needsAdjacency } from '../look/queries.js';
 import { describeObject } from '../material/diagnostics/describeObject.js';
 import { isPromise, warn } from '../material/diagnostics/warn.js';
 import { identityOf } from '../material/geometry/identityOf.js';
@@ -96,7 +95,7 @@ export function beginCall(
 
 /** Whether geometries are baked with adjacency, as far as it is known before there are materials. */
 const isWithAdjacency = ({ material, adjacency }: ApplyHatchingOptions): boolean =>
-  Boolean(adjacency) || (typeof material === 'object' && needsAdjacency(material));
+  Boolean(adjacency) || (typeof material === 'object' && /^(triangle|adjacency)$/.test(material.technique ?? ''));
 
 /** Says that nothing is hatched, and what can be done. */
 function warnOfNothing(root: Object3D, { skipped, claimed }: ChosenMeshes): void {

@@ -3,8 +3,10 @@ import { FIELD_FRAME } from '../material/fieldFrameName.js';
 import { identityOf } from '../material/geometry/identityOf.js';
 import { hatchNormal } from '../mesh/bake/attributeLayouts.js';
 import type { MeshLook } from './geometryPlans.js';
-import type { InPlaceOf } from './StyleChange.js';
 import { isHatching, materialsOf } from './surfaceMeshes.js';
+
+/** The former material in place of a new one, or the same. */
+export type InPlaceOf = ReadonlyMap<Material, Material>;
 
 /** How the looks of meshes are exchanged, whatever else was set on them in the meantime. */
 
