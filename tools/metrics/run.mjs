@@ -5,6 +5,7 @@
  * `npm run metrics -- values car Fox` prints how scenes of many parts are told apart, with values as planned and as measured, and draws them into
  * tests/output/values; without names those of all scenes after the shares.
  * `npm run metrics -- walls` measures how even a plain wall is in every look, and `walls pen woodcut` in some.
+ * `npm run metrics -- orientation` turns triangles of models and measures how many are turned back; `orientation house` of some.
  * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/research/metrics.md anew; `lines bunny pen` draws some.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -16,6 +17,7 @@ import { describeRenderer } from '../browser/describeRenderer.mjs';
 import { launchOptions } from '../browser/launchOptions.mjs';
 import { describeMetrics, drawMetrics } from './describeMetrics.mjs';
 import { measureAllLines, missedLines, withLines } from './lines.mjs';
+import { printOrientation } from './orientation.mjs';
 import { isKept, requirements } from './requirements.mjs';
 import { describeScenes, missedScenes } from './sceneWindows.mjs';
 import { missedValues } from './valueWindows.mjs';
@@ -62,7 +64,8 @@ const wanted = process.argv.slice(2);
 const onlyLines = wanted[0] === 'lines';
 const onlyWalls = wanted[0] === 'walls';
 const onlyScenes = wanted[0] === 'values' && wanted.length > 1;
-for (const name of onlyLines || onlyWalls || onlyScenes ? [] : wanted) {
+const onlyOrientation = wanted[0] === 'orientation';
+for (const name of onlyLines || onlyWalls || onlyScenes || onlyOrientation ? [] : wanted) {
   if (!(name in plans) && !['values', 'strokes'].includes(name))
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
 }
@@ -77,6 +80,12 @@ const server = await createServer({
   // A file that is saved in the meantime must not load the page again.
   server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
 });
+if (onlyOrientation) {
+  const missed = await printOrientation(server, wanted.slice(1));
+  await server.close();
+  for (const line of missed) console.log(`MISSED  ${line}`);
+  process.exit(missed.length > 0 ? 1 : 0);
+}
 await server.listen();
 const browser = await chromium.launch(await launchOptions());
 const measured = {};

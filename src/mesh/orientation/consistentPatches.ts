@@ -43,41 +43,90 @@ function* pairManifoldEdges(
   const cornerCount = canonicalCorners.length;
   let vertexCount = 0;
   for (let corner = 0; corner < cornerCount; corner++)
-    vertexCount = Math.max(vertexCount, canonicalCorners[corner] + 1);
+    if (canonicalCorners[corner] >= vertexCount) vertexCount = canonicalCorners[corner] + 1;
   // A counting sort of the half-edges by the smaller of their ends.
   const starts = new Uint32Array(vertexCount + 1);
-  const lowEnd = (corner: number): number => Math.min(canonicalCorners[corner], canonicalCorners[nextCorner(corner)]);
-  const highEnd = (corner: number): number => Math.max(canonicalCorners[corner], canonicalCorners[nextCorner(corner)]);
-  const counts = (corner: number): boolean => !isDegenerate(areaNormals, Math.floor(corner / 3));
-  for (let corner = 0; corner < cornerCount; corner++) if (counts(corner)) starts[lowEnd(corner) + 1]++;
-  for (let vertex = 0; vertex < vertexCount; vertex++) starts[vertex + 1] += starts[vertex];
-  const slots = starts.slice();
+  const highEnds = new Uint32Array(cornerCount);
+  countEdges(canonicalCorners, areaNormals, starts, highEnds);
+  yield 0.3;
   const sorted = new Uint32Array(starts[vertexCount]);
-  for (let corner = 0; corner < cornerCount; corner++) if (counts(corner)) sorted[slots[lowEnd(corner)]++] = corner;
+  sortEdges(canonicalCorners, areaNormals, starts.slice(), sorted);
   yield 0.5;
   const opposite = new Int32Array(cornerCount).fill(NONE);
   /** The first half-edge to each vertex from the present smaller end, and how many there are. */
   const first = new Int32Array(vertexCount).fill(NONE);
   const found = new Uint32Array(vertexCount);
-  yield* chunkPhase(vertexCount, 0.5, 1, (start, end) => {
-    for (let low = start; low < end; low++) {
-      for (let slot = starts[low]; slot < starts[low + 1]; slot++) {
-        const corner = sorted[slot];
-        const high = highEnd(corner);
-        if (found[high]++ === 0) first[high] = corner;
-        else {
-          opposite[corner] = first[high];
-          opposite[first[high]] = corner;
-        }
-      }
-      for (let slot = starts[low]; slot < starts[low + 1]; slot++) {
-        const corner = sorted[slot];
-        if (found[highEnd(corner)] !== 2) opposite[corner] = NONE;
-      }
-      for (let slot = starts[low]; slot < starts[low + 1]; slot++) found[highEnd(sorted[slot])] = 0;
-    }
-  });
+  const edges = { starts, sorted, highEnds, opposite, first, found };
+  yield* chunkPhase(vertexCount, 0.5, 1, (start, end) => pairRange(edges, start, end));
   return opposite;
+}
+
+/** Counts the half-edges from each smaller end, as a sum up to the next one, and writes their greater ends. */
+function countEdges(
+  canonicalCorners: Uint32Array,
+  areaNormals: Float64Array,
+  starts: Uint32Array,
+  highEnds: Uint32Array,
+): void {
+  for (let triangle = 0; triangle < canonicalCorners.length / 3; triangle++) {
+    const isCounted = !isDegenerate(areaNormals, triangle);
+    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) {
+      const from = canonicalCorners[corner];
+      const to = canonicalCorners[nextCorner(corner)];
+      highEnds[corner] = from < to ? to : from;
+      if (isCounted) starts[(from < to ? from : to) + 1]++;
+    }
+  }
+  for (let vertex = 1; vertex < starts.length; vertex++) starts[vertex] += starts[vertex - 1];
+}
+
+function sortEdges(
+  canonicalCorners: Uint32Array,
+  areaNormals: Float64Array,
+  slots: Uint32Array,
+  sorted: Uint32Array,
+): void {
+  for (let triangle = 0; triangle < canonicalCorners.length / 3; triangle++) {
+    if (isDegenerate(areaNormals, triangle)) continue;
+    for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) {
+      const from = canonicalCorners[corner];
+      const to = canonicalCorners[nextCorner(corner)];
+      sorted[slots[from < to ? from : to]++] = corner;
+    }
+  }
+}
+
+/** Half-edges sorted by their smaller ends, and what is found of them. */
+interface SortedEdges {
+  starts: Uint32Array;
+  sorted: Uint32Array;
+  highEnds: Uint32Array;
+  opposite: Int32Array;
+  first: Int32Array;
+  found: Uint32Array;
+}
+
+/** Pairs the half-edges from a range of smaller ends. */
+function pairRange(
+  { starts, sorted, highEnds, opposite, first, found }: SortedEdges,
+  start: number,
+  end: number,
+): void {
+  for (let low = start; low < end; low++) {
+    const from = starts[low];
+    const to = starts[low + 1];
+    for (let slot = from; slot < to; slot++) {
+      const corner = sorted[slot];
+      const high = highEnds[corner];
+      if (found[high]++ === 0) first[high] = corner;
+      else {
+        opposite[corner] = first[high];
+        opposite[first[high]] = corner;
+      }
+    }
+    for (let slot = from; slot < to; slot++) if (found[highEnds[sorted[slot]]] !== 2) opposite[sorted[slot]] = NONE;
+    for (let slot = from; slot < to; slot++) found[highEnds[sorted[slot]]] = 0;
+  }
 }
 
 function* flood(
@@ -115,7 +164,7 @@ function* flood(
             isClosed = false;
             continue;
           }
-          const next = Math.floor(other / 3);
+          const next = (other / 3) | 0;
           // Two half-edges that start at the same vertex run in the same direction: the windings contradict each other.
           const contradicts = canonicalCorners[other] === canonicalCorners[corner] ? 1 : 0;
           if (patchOf[next] === NO_PATCH) {

@@ -8,7 +8,14 @@ import type { Part } from './measureParts.js';
 /** Pixels to a side of a map of nearest triangles. */
 const SIZE = 128;
 /** Pairs of opposite directions that a mesh is seen from. */
-const PAIRS = 16;
+const PAIRS = 8;
+/** Fewer pairs are enough if they agree. */
+const LEAST_PAIRS = 3;
+/** A patch is clear if one of its sides has no more than this share of the votes for the other, which are at least so many. */
+const CLEAR = 0.2;
+const CLEAR_VOTES = 32;
+/** The share of the area of open patches that must be clear. */
+const CLEAR_AREA = 0.999;
 /** The least cosine between a triangle's normal and a direction with which its side is told. */
 const LEAST_COSINE = 0.1;
 const NO_TRIANGLE = -1;
@@ -69,10 +76,11 @@ export function* sideVotes(
       (pair + 1) / PAIRS,
     );
     countVotes(maps, indices, patches, scale, votes);
-    for (const [patch, { samples }] of parts.entries()) {
-      if (parts[patch].isClosed) continue;
+    for (const { isClosed, samples } of parts) {
+      if (isClosed) continue;
       for (const triangle of samples) countSample(maps, indices, patches, scale, triangle, ofSamples);
     }
+    if (pair + 1 >= LEAST_PAIRS && areClear(votes, parts)) break;
   }
   for (const [patch, { samples }] of parts.entries()) {
     const seen = ofSamples.front[patch] + ofSamples.back[patch];
@@ -82,6 +90,19 @@ export function* sideVotes(
     votes.back[patch] = ofSamples.back[patch];
   }
   return votes;
+}
+
+/** Whether further votes would change nothing. */
+function areClear({ front, back }: SideVotes, parts: readonly Part[]): boolean {
+  let all = 0;
+  let clear = 0;
+  for (const [patch, { isClosed, doubleArea }] of parts.entries()) {
+    if (isClosed) continue;
+    all += doubleArea;
+    const most = Math.max(front[patch], back[patch]);
+    if (most >= CLEAR_VOTES && Math.min(front[patch], back[patch]) <= CLEAR * most) clear += doubleArea;
+  }
+  return clear >= CLEAR_AREA * all;
 }
 
 const noVotes = (count: number): SideVotes => ({ front: new Float64Array(count), back: new Float64Array(count) });
@@ -142,34 +163,51 @@ function drawNearest(
     const by = projected[b + 1] - ay;
     const cx = projected[c] - ax;
     const cy = projected[c + 1] - ay;
-    const left = Math.max(0, Math.ceil(ax + Math.min(0, bx, cx) - 0.5));
-    const right = Math.min(SIZE - 1, Math.floor(ax + Math.max(0, bx, cx) - 0.5));
-    const low = Math.max(0, Math.ceil(ay + Math.min(0, by, cy) - 0.5));
-    const high = Math.min(SIZE - 1, Math.floor(ay + Math.max(0, by, cy) - 0.5));
+    // Everything lies on the map, so that truncation rounds down.
+    const left = (ax + (bx < cx ? (bx < 0 ? bx : 0) : cx < 0 ? cx : 0) + 0.5) | 0;
+    const right = (ax + (bx > cx ? (bx > 0 ? bx : 0) : cx > 0 ? cx : 0) - 0.5) | 0;
+    if (left > right) continue;
+    const low = (ay + (by < cy ? (by < 0 ? by : 0) : cy < 0 ? cy : 0) + 0.5) | 0;
+    const high = (ay + (by > cy ? (by > 0 ? by : 0) : cy > 0 ? cy : 0) - 0.5) | 0;
+    if (low > high) continue;
     const area = bx * cy - by * cx;
-    if (left > right || low > high || area === 0) continue;
+    if (area === 0) continue;
     const showsFront = area > 0 !== (turned[triangle] === 1);
+    const bias = showsFront ? -tolerance : tolerance;
     const az = projected[a + 2];
     const bz = projected[b + 2] - az;
     const cz = projected[c + 2] - az;
-    for (let y = low; y <= high; y++) {
-      for (let x = left; x <= right; x++) {
-        const px = x + 0.5 - ax;
-        const py = y + 0.5 - ay;
-        const shareB = (px * cy - py * cx) / area;
-        const shareC = (py * bx - px * by) / area;
-        if (shareB < EDGE || shareC < EDGE || shareB + shareC > 1 - EDGE) continue;
-        const depth = az + shareB * bz + shareC * cz;
-        const pixel = y * SIZE + x;
-        if (depth > highest[pixel] + (showsFront ? -tolerance : tolerance)) {
-          highest[pixel] = depth;
-          top[pixel] = triangle;
+    // The barycentric weights of b and c at the middle of the first pixel, and how they change to the right and upwards.
+    const perArea = 1 / area;
+    const rightB = cy * perArea;
+    const rightC = -by * perArea;
+    const upB = -cx * perArea;
+    const upC = bx * perArea;
+    const px = left + 0.5 - ax;
+    const py = low + 0.5 - ay;
+    let rowB = px * rightB + py * upB;
+    let rowC = px * rightC + py * upC;
+    const width = right - left;
+    for (let row = low * SIZE + left; row <= high * SIZE + left; row += SIZE) {
+      let shareB = rowB;
+      let shareC = rowC;
+      for (let pixel = row; pixel <= row + width; pixel++) {
+        if (shareB >= EDGE && shareC >= EDGE && shareB + shareC <= 1 - EDGE) {
+          const depth = az + shareB * bz + shareC * cz;
+          if (depth > highest[pixel] + bias) {
+            highest[pixel] = depth;
+            top[pixel] = triangle;
+          }
+          if (depth < lowest[pixel] + bias) {
+            lowest[pixel] = depth;
+            bottom[pixel] = triangle;
+          }
         }
-        if (depth < lowest[pixel] + (showsFront ? -tolerance : tolerance)) {
-          lowest[pixel] = depth;
-          bottom[pixel] = triangle;
-        }
+        shareB += rightB;
+        shareC += rightC;
       }
+      rowB += upB;
+      rowC += upC;
     }
   }
 }
