@@ -31,6 +31,9 @@ varying vec3 vViewPosition;
 #include <lights_pars_begin>
 #include <normal_pars_fragment>
 #include "shadowMaps"
+#if defined(USE_SHADOWMAP) && defined(DOUBLE_SIDED)
+  #include "shadowMatrices"
+#endif // USE_SHADOWMAP
 #include "shadows"
 #include "softShadows"
 #include <bumpmap_pars_fragment>
@@ -76,6 +79,7 @@ void main() {
   #ifdef DISSOLVES_SHADOWS
     readSoftShadows(-vViewPosition);
   #endif // DISSOLVES_SHADOWS
+  #include "turnShadows"
   #include <lights_fragment_begin>
   occludeLights(material);
   addIndirectRadiance(material);

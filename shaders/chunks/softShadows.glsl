@@ -6,7 +6,9 @@
   uniform float shadowFade; // share of the tone that is lost over the width of the shadow map
   uniform float shadowSoftness; // width of the edge, as a share of the distance from the occluder
 
-  #include "shadowMatrices"
+  #ifndef DOUBLE_SIDED
+    #include "shadowMatrices"
+  #endif // DOUBLE_SIDED
   #include "shadowDepth"
 
   // Steps of the bisection, enough to show no bands.

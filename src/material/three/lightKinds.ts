@@ -106,12 +106,16 @@ export function lightChunks(): Record<string, string> {
  * - `eachFlatShadow` visits every flat shadow map by `VISIT_SHADOW(number, map, matrix, shadow)`: the number of its light, the map, the
  *   matrix that leads to it from the world, and three's struct of the shadow. `shadowMatrices` declares the matrices.
  * - `eachCubeShadow` visits every cube by `VISIT_SHADOW(number, map, fromLight, shadow)`: the third is in view space.
+ *
+ * `turnedShadows` is no such loop: it moves the places at which three's functions read shadow maps by `turned`, a vector in world space,
+ * times the bias along the normal.
  */
 export function shadowChunks(): Record<string, string> {
   const kinds = knownKinds();
   const flat: string[] = [];
   const cubes: string[] = [];
   const matrices: string[] = [];
+  const turned: string[] = [];
   for (const [i, { name, key, type, matrices: ofKind }] of kinds.entries()) {
     // Lights that cast shadows are the first of their kind.
     const count = `NUM_${key}_LIGHT_SHADOWS`;
@@ -124,9 +128,13 @@ export function shadowChunks(): Record<string, string> {
       matrices.push(`#if ${count} > 0\nuniform mat4 ${matrix}[${most}];\n#endif\n`);
       const visit = `${readLight(name, type)}\nVISIT_SHADOW(${number}, ${map}, ${matrix}[i], ${shadow})`;
       flat.push(unrolled(count, visit));
+      const varying = type === 'distant' ? `v${name}ShadowCoord` : `v${name}LightCoord`;
+      turned.push(turnedCoords(varying, count, `${matrix}[i] * vec4(${shadow}.shadowNormalBias * turned, 0.0)`));
     } else if (type === 'positional') {
       const fromLight = `viewPosition - ${lower}Lights[i].position`;
       cubes.push(unrolled(count, `VISIT_SHADOW(${number}, ${map}, ${fromLight}, ${shadow})`));
+      // The vector from the light, in world space.
+      turned.push(turnedCoords(`v${name}ShadowCoord`, count, `vec4(${shadow}.shadowNormalBias * turned, 0.0)`));
     }
   }
   const end = '#undef VISIT_SHADOW';
@@ -134,7 +142,20 @@ export function shadowChunks(): Record<string, string> {
     shadowMatrices: matrices.join(''),
     eachFlatShadow: flat.join('') + end,
     eachCubeShadow: cubes.join('') + end,
+    turnedShadows: turned.join(''),
   };
+}
+
+/** Replaces a varying of coordinates of shadow maps by moved ones, for the chunks after it. */
+function turnedCoords(varying: string, count: string, change: string): string {
+  const moved = `turned${varying.slice(1)}`;
+  return `#if ${count} > 0
+vec4 ${moved}[${count}];
+#endif
+${unrolled(count, `${moved}[i] = ${varying}[i] + ${change};`)}#if ${count} > 0
+#define ${varying} ${moved}
+#endif
+`;
 }
 
 function loopOver(kind: LightKind, before: readonly LightKind[], writesLight: boolean): string {

@@ -20,6 +20,14 @@ const REPLACEMENTS: readonly (readonly [RegExp, file: string, kept?: RegExp])[] 
   ],
 ];
 
+/** Where a cascade is read, off the surface along its normal: on the side that is seen, as `turnedShadows` does for other maps. */
+const OFF_SURFACE = 'vSunShadowWorldNormal * sunLightShadow.shadowNormalBias';
+const ON_SEEN_SIDE = `
+#ifdef DOUBLE_SIDED
+(gl_FrontFacing ? 1.0 : -1.0) *
+#endif
+`;
+
 /**
  * three's shadow map functions with another filter. three rotates its samples by noise that is fixed to the screen, which in strokes
  * would be a ragged edge that crawls when the camera moves. Parts with other text are kept, as in versions before 0.182, which pack
@@ -33,6 +41,8 @@ export function shadowMapsChunk(source = ShaderChunk.shadowmap_pars_fragment): s
     steady = steady.replace(pattern, included(name));
   }
   if (steady === source) return source;
+  expectChunk('shadowmap_pars_fragment', source.includes(OFF_SURFACE) === source.includes('SunLightShadow'));
+  steady = steady.replace(OFF_SURFACE, ON_SEEN_SIDE + OFF_SURFACE);
   return `#if defined(USE_SHADOWMAP) && defined(SHADOWMAP_TYPE_PCF)${included('steadyKernel')}#endif\n${steady}`;
 }
 

@@ -7,6 +7,7 @@ import {
   BasicShadowMap,
   type BufferGeometry,
   type DepthTexture,
+  DoubleSide,
   type Light,
   type LightShadow,
   type Material,
@@ -31,8 +32,8 @@ import {
 import { readSoftShadow } from './softShadows.js';
 
 const { lightShadowMatrix } = threeNodes;
-const { cameraViewMatrix, mix, normalize, normalLocal, positionWorld, transformNormalToView, varying } = tsl;
-const { vec3, vec4 } = tsl;
+const { cameraViewMatrix, frontFacing, mix, normalize, normalLocal, positionWorld, select } = tsl;
+const { transformNormalToView, varying, vec3, vec4 } = tsl;
 
 /** A three.js light that casts shadows, with its shadow node. */
 export interface ShadowedLight {
@@ -86,18 +87,6 @@ const FILTERS: Readonly<Partial<Record<ShadowMapType, readonly [flat: Filter, cu
   [PCFShadowMap]: [steadyFlat, steadyCube],
 };
 
-/** The normal along which shadow lookups are biased, interpolated, not of unit length. World space. */
-const shadowNormal = /* @__PURE__ */ varying(
-  vec4(normalize(transformNormalToView(normalLocal)), 0).mul(cameraViewMatrix).xyz,
-);
-
-/** The position for shadow lookups, world space. */
-function shadowPosition({ geometry, material }: NodeBuilder, { normalBias }: ShadowValues): Value {
-  if (!(geometry as BufferGeometry).hasAttribute('normal')) return positionWorld;
-  const moved = shadowNormal.mul(normalBias);
-  return (material as Material).side === BackSide ? positionWorld.sub(moved) : positionWorld.add(moved);
-}
-
 /** The share of a light that passes its shadow map. */
 function filtered(builder: NodeBuilder, lit: ShadowedLight, map: ShadowMap | null): Value {
   const { light, shadowNode } = lit;
@@ -131,4 +120,20 @@ export function separateShadow(
   const own = (): Value => filtered(builder, lit, map);
   if (!dissolves || !map) return { light, shadow: own().toVar(), toneLeft: null };
   return { light, ...readSoftShadow(light, map, own) };
+}
+
+/** Counterpart of shaders/chunks/turnShadows.glsl: where shadow maps are read, off the surface on the side that is seen. */
+
+/** The normal along which shadow lookups are biased, interpolated, not of unit length. World space. */
+const shadowNormal = /* @__PURE__ */ varying(
+  vec4(normalize(transformNormalToView(normalLocal)), 0).mul(cameraViewMatrix).xyz,
+);
+
+/** The position for shadow lookups, world space. */
+function shadowPosition({ geometry, material }: NodeBuilder, { normalBias }: ShadowValues): Value {
+  if (!(geometry as BufferGeometry).hasAttribute('normal')) return positionWorld;
+  const moved = shadowNormal.mul(normalBias);
+  const { side } = material as Material;
+  if (side === DoubleSide) return positionWorld.add(select(frontFacing, moved, moved.negate()));
+  return side === BackSide ? positionWorld.sub(moved) : positionWorld.add(moved);
 }
