@@ -193,7 +193,7 @@ export function mapBlurOf(material: HatchingMaterialProperties, strokeTexels: nu
   if (!isFitted(material)) return 0;
   const { technique, lineSpacing, strokeWidth, composition } = material;
   const spacing = familyOf(technique) === 'lines' ? lineSpacing : WIDTHS_APART * (strokeWidth ?? strokeTexels);
-  return composition.plannedValues * Math.max(Math.log2(2 * spacing * pixelRatio), 0);
+  return composition.plannedValues * Math.max(Math.log2(spacing * pixelRatio), 0);
 }
 
 /**

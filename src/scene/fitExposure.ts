@@ -9,7 +9,8 @@ import { assertTree } from './assertTree.js';
  * themselves; call this to know it.
  *
  * The bright and the dark parts of the surfaces, by their area, get the radiance of those of a sphere in a single light of intensity π.
- * If colours become tones, `white` is the lightness at and above which they are left blank: that of the lightest quarter.
+ * If colours become tones, `plan` has the darkness that each is drawn with; and where they are measured instead, `white` is the lightness at
+ * and above which they are left blank: that of the lightest tenth.
  *
  * - Meshes count that are visible and have a `HatchingMaterial` with an `exposure` of `'fit'` or `'auto'`, and flat ones, such as a ground,
  * only where there are no others. Skins and morph targets are at rest, of instances some are looked at, and batches are left out.

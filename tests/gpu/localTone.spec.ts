@@ -102,3 +102,45 @@ test('without a fill there is ink and paper alone; half a fill is half a tint', 
     for (const [c, value] of printed(pixels).entries()) expect(value).toBeCloseTo(expected[i][c], 2);
   }
 });
+
+test('a plan of values leaves out details of a map that are finer than strokes, and keeps coarser ones', async ({
+  page,
+}) => {
+  const [fine, coarse, measured] = await page.evaluate(async () => {
+    const { THREE, hatchedMesh, sceneOf, pixelsOf } = window.toolkit;
+    /** Stripes of black and white, each so many texels of 96 wide. */
+    const stripes = (width: number): InstanceType<typeof THREE.DataTexture> => {
+      const data = new Uint8Array(4 * 96 * 96);
+      for (let i = 0; i < 96 * 96; i++) {
+        const grey = Math.floor((i % 96) / width) % 2 ? 255 : 0;
+        data.set([grey, grey, grey, 255], 4 * i);
+      }
+      const map = new THREE.DataTexture(data, 96, 96);
+      map.minFilter = THREE.LinearMipmapLinearFilter;
+      map.generateMipmaps = true;
+      map.needsUpdate = true;
+      return map;
+    };
+    const mesh = await hatchedMesh(new THREE.PlaneGeometry(2, 2), {
+      ...{ technique: 'engraving', debugView: 'tone', colorHatching: 1, lineSpacing: 4, screenSpaceShare: 1 },
+      ...{ composition: { exposure: 'fit' }, map: stripes(3) },
+    });
+    const scene = sceneOf(mesh, new THREE.AmbientLight(0xffffff, Math.PI));
+    const row = (): number[] => {
+      const pixels = pixelsOf(scene);
+      return Array.from({ length: 96 }, (_, x) => pixels[4 * (48 * 96 + x)]);
+    };
+    const shown = [row()];
+    mesh.material.map = stripes(24);
+    mesh.material.composition.refit();
+    shown.push(row());
+    mesh.material.map = stripes(3);
+    mesh.material.composition.plannedValues = 0;
+    shown.push(row());
+    return shown;
+  });
+  const spread = (row: readonly number[]): number => Math.max(...row.slice(30, 66)) - Math.min(...row.slice(30, 66));
+  expect(spread(fine)).toBeLessThan(20);
+  expect(spread(coarse)).toBeGreaterThan(40);
+  expect(spread(measured)).toBeGreaterThan(100);
+});

@@ -1,6 +1,7 @@
 /** Measures the values of a scene of many parts: paper, solid dark, how its parts are told apart, and where it is darkest. */
 import {
   Color,
+  type Material,
   type Mesh,
   MeshBasicMaterial,
   type PerspectiveCamera,
@@ -23,6 +24,8 @@ export interface SceneValues {
   /** Shares of what is seen. */
   paper: number;
   solid: number;
+  /** The share of paper if all colours were white, in the same light. */
+  ifWhite: number;
   /** The least difference in tone across a border of two parts, and the share of borders with a step of 0.12 or an outline. */
   leastStep: number;
   told: number;
@@ -36,9 +39,9 @@ export interface SceneValues {
 const SIZE = 480;
 const DISTANCE = 4.6;
 const VIEW = [0.8, 0.55, 1] as const;
-/** Lighter is blank paper with a stroke here and there; darker is ink with a speck of paper. */
+/** Lighter is blank paper with a stroke here and there; darker is ink with specks of paper. */
 const PAPER = 0.15;
-const SOLID = 0.7;
+const SOLID = 0.85;
 /** Pixels between a border and the tones beside it, and the shortest border that counts. */
 const BESIDE = 4;
 const SHORTEST = 16;
@@ -73,11 +76,14 @@ export async function measureScene(
     return shoot(renderer, scene, camera, outlines === 'on' ? new Color('#f7f3e8') : null);
   };
   const tones = draw('tone', 'off');
+  for (const material of materialsOf(model)) material.colorHatching = 0;
+  const white = shoot(renderer, scene, camera, null);
   const plain = draw('none', 'off');
   const drawn = draw('none', 'on');
-  const parts = drawParts(renderer, scene, camera, model);
+  const parts = drawColors(renderer, scene, camera, model);
   const found = {
     ...sharesOf(tones),
+    ifWhite: sharesOf(white).paper,
     ...bordersOf(parts, tones, plain, drawn),
     ...darkestOf(tones),
     picture: drawn.url,
@@ -115,27 +121,32 @@ function urlOf(renderer: WebGLRenderer, scene: Scene, camera: PerspectiveCamera,
   return renderer.domElement.toDataURL();
 }
 
-/** A picture in which each part has a colour of its own: its number in red and green. */
-function drawParts(renderer: WebGLRenderer, scene: Scene, camera: PerspectiveCamera, { root }: HatchedModel): Picture {
-  const meshes = meshesOf(root);
+/** A picture of the colours alone, by which parts are told. */
+function drawColors(renderer: WebGLRenderer, scene: Scene, camera: PerspectiveCamera, { root }: HatchedModel): Picture {
+  const meshes = meshesOf(root) as Mesh[];
   const before = meshes.map(({ material }) => material);
   const hidden = meshes.flatMap(({ children }) => children).filter(({ visible }) => visible);
+  const flat = (material: Material): Material => {
+    const { color, map, vertexColors, side } = material as HatchingMaterial;
+    return new MeshBasicMaterial({ color: color.clone(), map, vertexColors, side, toneMapped: false });
+  };
   for (const one of hidden) one.visible = false;
-  for (const [i, mesh] of meshes.entries()) {
-    const number = i + 1;
-    const color = new Color().setRGB((number >> 8) / 255, (number & 255) / 255, 0);
-    (mesh as Mesh).material = new MeshBasicMaterial({ color, toneMapped: false });
-  }
+  for (const mesh of meshes)
+    mesh.material = Array.isArray(mesh.material) ? mesh.material.map(flat) : flat(mesh.material);
   const picture = shoot(renderer, scene, camera, null);
-  for (const [i, mesh] of meshes.entries()) (mesh as Mesh).material = before[i];
+  for (const [i, mesh] of meshes.entries()) mesh.material = before[i];
   for (const one of hidden) one.visible = true;
   return picture;
 }
 
 const toneAt = ({ pixels }: Picture, i: number): number => 1 - pixels[4 * i] / 255;
 const isSeen = ({ pixels }: Picture, i: number): boolean => pixels[4 * i + 3] === 255;
-const partAt = ({ pixels }: Picture, i: number): number =>
-  pixels[4 * i + 3] === 255 ? 256 * pixels[4 * i] + pixels[4 * i + 1] : 0;
+/** The colour at a place, in 24 steps as light goes; 0 beside the subject. */
+const partAt = ({ pixels }: Picture, i: number): number => {
+  if (pixels[4 * i + 3] < 255) return 0;
+  const [r, g, b] = [0, 1, 2].map((k) => Math.round(24 * Math.sqrt(pixels[4 * i + k] / 255)));
+  return 1 + (r * 32 + g) * 32 + b;
+};
 
 function sharesOf(tones: Picture): { paper: number; solid: number } {
   const counts = { seen: 0, paper: 0, solid: 0 };

@@ -162,9 +162,9 @@ function street(): Part[] {
 /** Stripes of blue and green of the lightness of the light grey between them. */
 function figure(): Part[] {
   const stripes = [0xbcbcbc, 0x89c1f7, 0xbcbcbc, 0x7ccd7c];
-  const image = { width: 8, height: 64, at: (_: number, row: number) => stripes[Math.floor(row / 8) % 4] };
+  const image = { width: 128, height: 256, at: (_: number, row: number) => stripes[Math.floor(row / 32) % 4] };
   return [
-    { shape: new CapsuleGeometry(0.5, 1, 8, 32), at: [0, 1, 0], paint: { color: 0xffffff, image } },
+    { shape: tube(0.4, 0.6, 1.8), at: [0, 0.95, 0], paint: { color: 0xffffff, image } },
     { shape: ball(0.38), at: [0, 2.25, 0], paint: { color: 0xbcbcbc } },
   ];
 }
@@ -174,14 +174,14 @@ function character(): Part[] {
   const at = (column: number, row: number): number => {
     if (row < 48) return 0xc89878;
     if (row < 120) {
-      if (column > 20 && column < 52 && row > 64 && row < 96) return column > 28 && column < 44 ? 0xd02018 : 0xf4f0e0;
+      if (column > 0 && column < 32 && row > 64 && row < 96) return column > 8 && column < 24 ? 0xd02018 : 0xf4f0e0;
       return (column + row) % 2 ? 0x2a4a3a : 0x3a6a50;
     }
     return row < 200 ? 0x2c3040 : 0x20140c;
   };
   const image = { width: 128, height: 256, at };
   return [
-    { shape: new CapsuleGeometry(0.55, 1.8, 12, 48), at: [0, 1.5, 0], paint: { color: 0xffffff, image } },
+    { shape: tube(0.5, 0.6, 2.6), at: [0, 1.3, 0], paint: { color: 0xffffff, image } },
     { shape: ball(0.16), at: [0.62, 1.8, 0], paint: { color: 0xc89878 } },
     { shape: ball(0.16), at: [-0.62, 1.8, 0], paint: { color: 0xc89878 } },
   ];
