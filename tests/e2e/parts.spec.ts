@@ -1,9 +1,11 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
+import { BUNDLE, describeBundle } from '../../src/viewer/files/bundle.js';
 import { drop, openPlayground, readDrawing, ready, savePicture, writtenHash } from '../../tools/browser/playground.js';
 import { tetrahedron } from '../../tools/modelFiles/GltfBuilder.js';
 import { file, type TestFile } from '../../tools/modelFiles/modelFiles.js';
 import { boxStl } from '../../tools/modelFiles/modelWriters.js';
+import { zip } from '../../tools/modelFiles/sceneWriters.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare, meanInk } from './pictures.js';
 
@@ -82,6 +84,7 @@ test('parts of a joined mesh are hidden and shown, with undo, and a reload resto
   expect(new URLSearchParams(await writtenHash(page)).get('hidden')).toBe('1-5');
   await page.reload();
   await fold(page).click();
+  await page.mouse.move(300, 10);
   await expect(fold(page)).toHaveText('Parts: 6, 5 hidden');
   expect(changedShare(alone, await readDrawing(page))).toBe(0);
   await eye(page, 'Box').click();
@@ -158,8 +161,9 @@ test('thousands of parts are searched and hidden by keys, and few of them are in
 
   await page.getByRole('searchbox', { name: 'Find a part' }).fill('bolt 19');
   await expect(page.locator('.part-eye').first()).toHaveText('Bolt 19');
+  // All bolts whose number has a 19 in it, beside the plate.
   await page.getByRole('button', { name: 'Hide these' }).click();
-  await expect(fold(page)).toHaveText('Parts: 2,000, 57 hidden');
+  await expect(fold(page)).toHaveText('Parts: 2,000, 80 hidden');
   await page.getByRole('searchbox', { name: 'Find a part' }).fill('nothing');
   await expect(page.getByText('No part has such a name.')).toBeVisible();
   await ready(page);
@@ -175,6 +179,16 @@ test('the part that is pointed at shows in the picture', async ({ page }) => {
   expect(await page.evaluate(() => window.__playground!.framesDrawn)).toBe(frames);
   await page.mouse.move(300, 10);
   expect(changedShare(whole, await readDrawing(page))).toBe(0);
+});
+
+test('a drawing that was saved with its model hides the parts that it hid', { tag: '@all' }, async ({ page }) => {
+  const saved = zip({ [BUNDLE.description]: describeBundle(`${SMALL}&hidden=1-5`), 'model/table.obj': table.buffer });
+  await open(page, file('table.zip', Buffer.from(saved)));
+  await expect(fold(page)).toHaveText('Parts: 6, 5 hidden');
+  await ready(page);
+  await eye(page, 'Top').click();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(fold(page)).toHaveText('Parts: 6, 5 hidden');
 });
 
 test('what was done to a file is undone by switches behind “i”, which are steps of the history', async ({ page }) => {
@@ -197,7 +211,8 @@ test('what was done to a file is undone by switches behind “i”, which are st
   await page.locator('#about-model summary').click();
   await expect(up).toBeChecked();
   await page.getByRole('button', { name: 'Redo' }).click();
-  await ready(page);
+  await expect(up).not.toBeChecked();
+  expect(await writtenHash(page)).toContain('asWritten=up');
   await page.reload();
   await ready(page);
   await page.locator('#about-model summary').click();

@@ -186,6 +186,7 @@ export const OFFERS = {
     'drawing/bakeOcclusion.ts',
     'drawing/buildModel.ts',
     'drawing/HatchedModel.ts',
+    'drawing/ModelParts.ts',
     'drawing/statistics.ts',
     'drawing/materials.ts',
     'drawing/meshes.ts',

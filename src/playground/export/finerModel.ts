@@ -1,6 +1,7 @@
 import { type BufferGeometry, Group, MathUtils, Mesh } from 'three';
 import { bakeMesh } from '../../viewer/drawing/bakeMesh.js';
 import type { Report } from '../../viewer/drawing/buildModel.js';
+import { withoutParts } from '../../viewer/drawing/ModelParts.js';
 import { meshesOf } from '../../viewer/drawing/meshes.js';
 import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import type { ModelFile, ReadMesh } from '../../viewer/files/readModel.js';
@@ -37,13 +38,14 @@ export async function finerModel(
   signal: AbortSignal,
   { variant, asWritten }: HowRead = {},
 ): Promise<FinerModel> {
-  const { mesh, simplified } = (await loadModelFiles(files, {
+  const { mesh: whole, simplified } = (await loadModelFiles(files, {
     signal,
     onStage: report,
     most: MOST_TRIANGLES,
     variant,
     asWritten,
   })) as ReadMesh;
+  const mesh = withoutParts(whole, viewport.model?.parts?.hidden ?? []);
   const triangles = triangleCount(mesh);
   const joining = `joining ${triangles.toLocaleString('en')} triangles`;
   const onProgress = (progress: number): void => report(joining, progress);

@@ -218,14 +218,14 @@ export class ModelLoader {
   /**
    * Hides parts of the shown model, by their indices in rising order, and shows the others. Does nothing while another model is read.
    *
-   * @returns whether the parts are hidden now or soon
+   * @returns whether that is a change, now or soon
    */
   hide(hidden: readonly number[]): boolean {
     const { viewport, shown } = this;
     const { parts } = viewport.model ?? {};
     if (!parts || this.isReading || !this.load) return false;
     const known = hidden.filter((part) => part < parts.names.length);
-    if (isSameList(known, this.hidden)) return true;
+    if (isSameList(known, this.hidden)) return false;
     this.load.choice = { ...this.load.choice, hidden: known };
     if (parts.hide) {
       parts.hide(known);
@@ -364,6 +364,8 @@ export class ModelLoader {
       report('drawing', 1);
       this.show(load, read, built);
     });
+    // A drawing that came with the model may hide parts of it.
+    if (end === 'done' && !load.hiddenNames && this.hide(load.choice.hidden ?? [])) this.onChange('hidden');
     if (end !== 'failed') return;
     this.removePlaceholder();
     settings.model = shown.model;
@@ -501,8 +503,10 @@ export class ModelLoader {
 }
 
 /** The indices of the parts that a load hides, in rising order. */
-const hiddenOf = ({ choice, hiddenNames }: Load, names: readonly string[]): number[] =>
-  [...names.keys()].filter((part) => hiddenNames?.has(names[part]) ?? choice.hidden?.includes(part));
+function hiddenOf({ choice, hiddenNames }: Load, names: readonly string[]): number[] {
+  const hidden = new Set(choice.hidden);
+  return [...names.keys()].filter((part) => hiddenNames?.has(names[part]) ?? hidden.has(part));
+}
 
 /** The title of a model, and the direction to the eye when it is framed, if not the default. */
 const named = (

@@ -5,7 +5,13 @@ import type { Viewport } from '../viewport/Viewport.js';
 /** The maximum number of triangles that are drawn of a part; of larger ones, an even sample. */
 const MOST_TRIANGLES = 60_000;
 
-/** Shows a part in the picture as a negative of it, through whatever is in front. Draws on a canvas of its own, so that no frame is needed. */
+/** The width of the line around a hidden part, in CSS pixels. */
+const LINE = 1.5;
+
+/**
+ * Shows a part in the picture, through whatever is in front: as a negative of it, or as a line around it if it is hidden. Draws on a canvas
+ * of its own, so that no frame is needed.
+ */
 export class PartHighlight {
   private readonly canvas = element('canvas', { className: 'part-highlight' });
   private part: number | undefined;
@@ -32,12 +38,22 @@ export class PartHighlight {
     const { clientWidth: width, clientHeight: height } = viewport.canvas;
     canvas.width = width * devicePixelRatio;
     canvas.height = height * devicePixelRatio;
-    const triangles = viewport.model?.parts?.trianglesOf(part, MOST_TRIANGLES) ?? new Float32Array();
+    const { parts } = viewport.model ?? {};
+    if (!parts) return;
     const { camera } = viewport;
     const toClip = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     const context = canvas.getContext('2d')!;
-    context.fillStyle = '#fff';
-    context.fill(outlineOf(triangles, toClip, canvas.width, canvas.height));
+    const shape = outlineOf(parts.trianglesOf(part, MOST_TRIANGLES), toClip, canvas.width, canvas.height);
+    context.fillStyle = context.strokeStyle = '#fff';
+    if (!parts.hidden.includes(part)) {
+      context.fill(shape);
+      return;
+    }
+    context.lineJoin = 'round';
+    context.lineWidth = 2 * LINE * devicePixelRatio;
+    context.stroke(shape);
+    context.globalCompositeOperation = 'destination-out';
+    context.fill(shape);
   }
 }
 
@@ -66,6 +82,7 @@ function outlineOf(triangles: Float32Array, toClip: Matrix4, width: number, heig
       path.lineTo(bx, by);
       path.lineTo(cx, cy);
     }
+    path.closePath();
   }
   return path;
 }

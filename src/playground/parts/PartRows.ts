@@ -54,7 +54,7 @@ export class PartRows {
     private readonly on: {
       toggle(part: number): void;
       only(part: number): void;
-      /** A part is pointed at or has the focus; undefined for none. */
+      /** A part is pointed at, or has the focus of the keyboard; undefined for none. */
       point(part: number | undefined): void;
     },
   ) {
@@ -63,7 +63,10 @@ export class PartRows {
     list.addEventListener('keydown', (event) => this.press(event));
     list.addEventListener('focusin', ({ target }) => this.focused(target as HTMLElement));
     list.addEventListener('focusout', () => this.on.point(undefined));
-    list.addEventListener('pointerover', ({ target }) => this.on.point(this.partAt(target as HTMLElement)));
+    list.addEventListener('pointerover', ({ target, pointerType }) => {
+      // A finger points at nothing once it is lifted.
+      if (pointerType !== 'touch') this.on.point(this.partAt(target as HTMLElement));
+    });
     list.addEventListener('pointerleave', () => this.on.point(undefined));
   }
 
@@ -152,7 +155,7 @@ export class PartRows {
   private focused(target: HTMLElement): void {
     this.current = this.rowAt(target) ?? this.current;
     this.column = target.matches('.part-only') ? 'only' : 'eye';
-    this.on.point(this.partAt(target));
+    if (target.matches(':focus-visible')) this.on.point(this.partAt(target));
     this.draw();
   }
 
