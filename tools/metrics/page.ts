@@ -10,6 +10,7 @@ import { counts, followsForm, needsMap } from 'three-hatching/facts';
 import { HATCHING_TECHNIQUES } from '../../src/look/hatchingProperties.js';
 import { plainLook } from '../plainLook.js';
 import { type FlatTones, measureFlatTones } from './flatTones.js';
+import { type IntersectionMeasure, measureIntersections } from './intersections.js';
 import { loadModel, type ModelName } from './loadModel.js';
 import { measureLines } from './measureLines.js';
 import { type EdgeJump, edgeJump } from './measures/edgeJump.js';
@@ -87,6 +88,7 @@ declare global {
     measureLines: typeof measureLines;
     /** Measures the named looks; all by default. */
     measureWalls(wanted: readonly string[]): Promise<WallMeasure[]>;
+    measureIntersections(): IntersectionMeasure[];
   }
 }
 
@@ -138,6 +140,7 @@ window.measurePrintedStrokes = async () => {
   return measurePrintedStrokes(renderer);
 };
 
+window.measureIntersections = measureIntersections;
 window.measureWalls = async (wanted) => {
   await HatchingMaterial.preload();
   return measureWalls(renderer, wanted);

@@ -4,6 +4,7 @@
  * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark, and `strokes` printed strokes.
  * `npm run metrics -- values car Fox` prints how scenes of many parts are told apart, with values as planned and as measured, and draws them into
  * tests/output/values; without names those of all scenes after the shares.
+ * `npm run metrics -- intersections` finds the lines where parts meet in some scenes, and says how long it takes.
  * `npm run metrics -- walls` measures how even a plain wall is in every look, and `walls pen woodcut` in some.
  * `npm run metrics -- orientation` turns triangles of models and measures how many are turned back; `orientation house` of some.
  * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/research/metrics.md anew; `lines bunny pen` draws some.
@@ -65,12 +66,14 @@ const onlyLines = wanted[0] === 'lines';
 const onlyWalls = wanted[0] === 'walls';
 const onlyScenes = wanted[0] === 'values' && wanted.length > 1;
 const onlyOrientation = wanted[0] === 'orientation';
-for (const name of onlyLines || onlyWalls || onlyScenes || onlyOrientation ? [] : wanted) {
+const onlyIntersections = wanted[0] === 'intersections';
+const isOfModels = !(onlyLines || onlyWalls || onlyScenes || onlyOrientation || onlyIntersections);
+for (const name of isOfModels ? wanted : []) {
   if (!(name in plans) && !['values', 'strokes'].includes(name))
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
 }
 const models = Object.keys(plans).filter(
-  (name) => wanted.length === 0 || (!onlyLines && !onlyWalls && !onlyScenes && wanted.includes(name)),
+  (name) => wanted.length === 0 || (isOfModels && wanted.includes(name)),
 );
 
 const server = await createServer({
@@ -128,6 +131,15 @@ try {
     printedStrokes = await page.evaluate(() => window.measurePrintedStrokes());
   if (wanted.length === 0 || onlyWalls)
     walls = await page.evaluate((looks) => window.measureWalls(looks), wanted.slice(1));
+  if (onlyIntersections) {
+    for (const found of await page.evaluate(() => window.measureIntersections())) {
+      const { scene, triangles, pairs, segments, time, longestStep, perPair, length } = found;
+      const ofRight = length === null ? '' : `, ${(100 * length).toFixed(3)} % of the right length`;
+      console.log(
+        `${scene}: ${triangles} triangles, ${pairs} pairs, ${segments} segments${ofRight}; ${time.toFixed(0)} ms, ${perPair.toFixed(1)} a pair, at most ${longestStep.toFixed(0)} a step`,
+      );
+    }
+  }
   if (wanted.length === 0 || onlyLines) lines = await measureAllLines(page, wanted.slice(1));
 } finally {
   await browser.close();

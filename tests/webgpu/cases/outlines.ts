@@ -16,6 +16,7 @@ import {
 } from 'three';
 import { HatchingOutlines, prepareHatchingGeometry } from 'three-hatching';
 import { HatchingOutlines as NodeOutlines } from 'three-hatching/webgpu';
+import { loadIntersections } from '../../../src/material/outlines/loadIntersections.js';
 import { knot } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
@@ -100,6 +101,22 @@ export const cases: readonly SceneCase[] = [
       mesh.rotation.set(0.5, 0.6, 0.2);
       return {};
     }),
+  },
+  {
+    name: 'lines where a ball cuts a knot, and hidden ones',
+    async show(kit) {
+      const look = { outlineWidth: 4, weights: { intersections: 1 }, intersections: true, hidden: 'faint' } as const;
+      const stage = await show(look)(kit);
+      const ball = new Mesh(
+        await prepareHatchingGeometry(new SphereGeometry(0.5, 48, 32), { outlines: true }),
+        paper(),
+      );
+      ball.position.set(0.5, 0.2, 0.1);
+      ball.add(outlinesOf(kit, ball, look));
+      stage.scene.add(ball);
+      await (await loadIntersections()).settleIntersections(stage.scene);
+      return stage;
+    },
   },
   { name: 'hidden outlines, faint', show: show({ outlineWidth: 3, hidden: 'faint' }) },
   {
