@@ -7,6 +7,7 @@
  * `npm run metrics -- intersections` finds the lines where parts meet in some scenes, and says how long it takes.
  * `npm run metrics -- walls` measures how even a plain wall is in every look, and `walls pen woodcut` in some.
  * `npm run metrics -- orientation` turns triangles of models and measures how many are turned back; `orientation house` of some.
+ * `npm run metrics -- sides` compares the surfaces that are seen of glTF files with plain three.js; `sides room` of some, `sides FOLDER` of others, too.
  * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/research/metrics.md anew; `lines bunny pen` draws some.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -21,6 +22,7 @@ import { measureAllLines, missedLines, withLines } from './lines.mjs';
 import { printOrientation } from './orientation.mjs';
 import { isKept, requirements } from './requirements.mjs';
 import { describeScenes, missedScenes } from './sceneWindows.mjs';
+import { printSides } from './sides.mjs';
 import { missedValues } from './valueWindows.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -67,14 +69,13 @@ const onlyWalls = wanted[0] === 'walls';
 const onlyScenes = wanted[0] === 'values' && wanted.length > 1;
 const onlyOrientation = wanted[0] === 'orientation';
 const onlyIntersections = wanted[0] === 'intersections';
-const isOfModels = !(onlyLines || onlyWalls || onlyScenes || onlyOrientation || onlyIntersections);
+const onlySides = wanted[0] === 'sides';
+const isOfModels = !(onlyLines || onlyWalls || onlyScenes || onlyOrientation || onlyIntersections || onlySides);
 for (const name of isOfModels ? wanted : []) {
   if (!(name in plans) && !['values', 'strokes'].includes(name))
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
 }
-const models = Object.keys(plans).filter(
-  (name) => wanted.length === 0 || (isOfModels && wanted.includes(name)),
-);
+const models = Object.keys(plans).filter((name) => wanted.length === 0 || (isOfModels && wanted.includes(name)));
 
 const server = await createServer({
   root,
@@ -91,6 +92,13 @@ if (onlyOrientation) {
 }
 await server.listen();
 const browser = await chromium.launch(await launchOptions());
+if (onlySides) {
+  const missed = await printSides(server, await browser.newPage(), wanted.slice(1));
+  await browser.close();
+  await server.close();
+  for (const line of missed) console.log(`MISSED  ${line}`);
+  process.exit(missed.length > 0 ? 1 : 0);
+}
 const measured = {};
 /** Undefined where only some models are measured. */
 let flatTones;
