@@ -64,7 +64,7 @@ export function checkValue(name: HatchingPropertyName, value: unknown): void {
   const property: HatchingProperty = HATCHING_PROPERTIES[name];
   switch (property.kind) {
     case 'number':
-      if (!isWord(name, value)) checkNumber(name, value, property.range, ownerOf(name));
+      numberOrWord(name, value, property);
       break;
     case 'choice':
     case 'switch':
@@ -101,6 +101,20 @@ export const checkPoint = (name: HatchingPropertyName, value: unknown): void =>
 export const isWord = (name: HatchingPropertyName, value: unknown): boolean =>
   (typeof value !== 'number' && value === HATCHING_DEFAULTS[name]) ||
   (HATCHING_PROPERTIES[name] as HatchingNumber).words?.includes(value as string) === true;
+
+/** @throws RangeError unless `value` is a number in the property's range, or a word in place of one */
+export function numberOrWord(
+  name: HatchingPropertyName,
+  value: unknown,
+  { range, words = [] }: HatchingNumber,
+): number | 'auto' | 'fit' {
+  if (isWord(name, value)) return value as 'auto' | 'fit';
+  const standard: unknown = HATCHING_DEFAULTS[name];
+  return checkNumber(name, value, range, ownerOf(name), [
+    ...words,
+    ...(typeof standard === 'string' ? [standard] : []),
+  ]);
+}
 
 /** @throws Error unless `value` is one of the property's choices; TypeError unless it is a boolean, for a property that is a switch */
 export function checkChoice(name: HatchingPropertyName, value: unknown): void {

@@ -7,8 +7,7 @@ import {
   type HatchingTechnique,
 } from '../look/hatchingProperties.js';
 import { defaultOf } from '../look/presetParameters.js';
-import { checkNumber } from './checkNumber.js';
-import { checkPoint, isWord, ownerOf } from './checkProperty.js';
+import { checkPoint, numberOrWord } from './checkProperty.js';
 import { checkHatchingMap, type HatchingMap, toPoint } from './propertyValues.js';
 
 /** The storage of a material's properties, for GLSL or nodes, or of a group of them. */
@@ -55,7 +54,7 @@ export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & Thi
         return defaults.get(technique);
       },
       set(value) {
-        this.numbers.set(name, isWord(name, value) ? value : checkNumber(name, value, property.range, ownerOf(name)));
+        this.numbers.set(name, numberOrWord(name, value, property));
       },
     };
   }

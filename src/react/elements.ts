@@ -1,12 +1,24 @@
 import { extend, invalidate, type ThreeElement } from '@react-three/fiber';
 import {
+  type HatchingComposition,
+  type HatchingCompositionOptions,
   HatchingMaterial,
   type HatchingMaterialOptions,
+  type HatchingMaterialParameters,
   type HatchingOutlineMaterial,
   type HatchingOutlineParameters,
   type HatchingOutlines,
   type HatchingShadowMaterial,
 } from 'three-hatching';
+
+/** Whose composition it is by its making. */
+const madeBy = new WeakMap<HatchingComposition, object>();
+
+/** Whether it belongs to a material that no element stands for, as the one from which React Three Fiber reads what a removed prop goes back to. */
+function isBlank(composition: FollowedMaterial['composition']): boolean {
+  const owner = madeBy.get(composition);
+  return owner !== undefined && !('__r3f' in owner);
+}
 
 /**
  * The material of `<hatchingMaterial>`: it requests a frame when its map and its code have loaded, for a canvas with
@@ -15,6 +27,23 @@ import {
 export class FollowedMaterial extends HatchingMaterial {
   /** The properties at the last draw that decide which map and which code are needed. */
   private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique'>> = {};
+  /** The numbers that the arguments gave the composition, such as those of a preset. */
+  private readonly composedFirst: HatchingComposition;
+
+  // React Three Fiber resets a removed prop only if the constructor's `length` is 0.
+  constructor(parameters: HatchingMaterialParameters | undefined = undefined) {
+    super(parameters);
+    this.composedFirst = this.composition.clone();
+    if (!madeBy.has(this.composition)) madeBy.set(this.composition, this);
+  }
+
+  override get composition(): HatchingComposition {
+    return super.composition;
+  }
+
+  override set composition(value: HatchingComposition | Partial<HatchingCompositionOptions>) {
+    super.composition = isBlank(value as HatchingComposition) ? this.composedFirst.clone() : value;
+  }
 
   // The hook of HatchingMaterial runs before this one, as before any hook that a user sets.
   override onBeforeRender(): void {

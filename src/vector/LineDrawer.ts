@@ -30,11 +30,11 @@ import { type Run, type SeenTest, visibleRuns } from './visibleRuns.js';
 const { DASH, FAINT, GAP } = OUTLINE_CONSTANTS;
 
 /** The names of the layers, in order. */
-export const LAYERS = ['outlines', 'engraved', 'crossing', 'shadows', 'background', 'hidden'] as const;
+export const LAYERS = ['outlines', 'lines', 'crossing', 'shadows', 'background', 'hidden'] as const;
 export type LayerName = (typeof LAYERS)[number];
 
 const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
-  first: 'engraved',
+  first: 'lines',
   crossB: 'crossing',
   crossC: 'crossing',
   thirdB: 'crossing',

@@ -252,7 +252,7 @@ test('the drawing leaves as lines: an SVG in millimetres, filled for print or fo
   const print = await savedAs();
   await expect(page.getByText(/^Saved as SVG: \d+ × \d+ mm, [\d,]+ paths\./)).toBeVisible();
   const layers = (text: string) => [...text.matchAll(/inkscape:label="([^"]+)"/g)].map(([, label]) => label);
-  expect(layers(print)).toEqual(['1 outlines', '2 engraved', '3 crossing']);
+  expect(layers(print)).toEqual(['1 outlines', '2 lines', '3 crossing']);
   // The page is 96 pixels to an inch.
   const canvas = (await page.locator('canvas').first().boundingBox())!;
   expect(Number(/width="([\d.]+)mm"/.exec(print)![1])).toBeCloseTo((canvas.width / 96) * 25.4, 0);

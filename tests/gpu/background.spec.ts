@@ -1,6 +1,6 @@
 import { type BackgroundField, lineAt, lineWidth, placeOnLine } from '../../src/vector/shading/background.js';
 import { expect } from '../browser/test.js';
-import { coverage } from './engravedDarkness.js';
+import { coverage } from './engravingDarkness.js';
 import { expectEqualPictures, pictureError } from './pictureError.js';
 import { test } from './toolkitPage.js';
 

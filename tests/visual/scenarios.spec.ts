@@ -35,7 +35,7 @@ const detailsOf = quickOnly(
     'flat-fox',
     'beyond-anchored-form',
     'beyond-crisp',
-    'engraved-fixed',
+    'engraving-fixed',
     'layers-by-tone-anchored',
     'levels-floor-depth',
     'outlines-face',

@@ -271,7 +271,7 @@ export const scenarios: readonly Scenario[] = [
   },
   {
     ...dragon,
-    name: 'engraved-dragon',
+    name: 'engraving-dragon',
     figure: 0,
     sentence: 'Engraved around the light, crossed in the darks, with contours.',
     lights: sun(-1, 1.5, 1.2),
@@ -280,7 +280,7 @@ export const scenarios: readonly Scenario[] = [
   },
   {
     ...bunny,
-    name: 'engraved-fixed',
+    name: 'engraving-fixed',
     figure: 0,
     sentence: 'Lines cut across an axis of the object by a ruling machine; only their width answers the light.',
     material: { technique: 'engraving', direction: 'y', irregularity: 0, screenSpaceShare: 1 },

@@ -1,9 +1,9 @@
 import { anchoredSpecs } from '../gpu/compareAnchored.js';
-import { engravedSpecs } from '../gpu/compareEngraved.js';
+import { engravingSpecs } from '../gpu/compareEngraving.js';
 import { stippleSpecs } from '../gpu/compareStipple.js';
 import { testSpecs } from './besideGlsl.js';
 
-testSpecs('engraving', engravedSpecs(), {
+testSpecs('engraving', engravingSpecs(), {
   quick: ['along the form, carved', 'on a plane that falls off around a point'],
   drawnInCases: [
     'along the form',

@@ -152,7 +152,7 @@ export const plansOf = (presets, techniques) => ({
       })),
     ),
   },
-  engraved: {
+  engraving: {
     columns: 4,
     pictures: [
       { ...PRINT, subject: 'dragon', view: [0.22, 0.18, 1], light: [-1, 1.2, 0.85] },

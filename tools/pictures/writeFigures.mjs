@@ -64,7 +64,7 @@ ours, and \`npm run bench\` measures yours.
 `;
   const turn = `# Beyond the paper
 
-What the paper does not have: strokes anchored to the object ([media.md](../media.md#anchored-strokes)), engraved lines ([engraved.md](../engraved.md)),
+What the paper does not have: strokes anchored to the object ([media.md](../media.md#anchored-strokes)), engraved lines ([engraving.md](../engraving.md)),
 contours and creases ([outlines.md](../outlines.md)), and presets that join all of them ([presets.md](../presets.md)).`;
   writeFileSync(
     `${root}docs/research/figures.md`,

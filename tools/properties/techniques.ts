@@ -41,19 +41,19 @@ export const TECHNIQUES = {
   },
   engraving: {
     sentence:
-      'lines that are level sets of a function on the object: they never break, swell with the tone and cross in the darks, as in an engraved plate. Draws without a map ([engraved.md](engraved.md)).',
+      'lines that are level sets of a function on the object: they never break, swell with the tone and cross in the darks, as in an engraved plate. Draws without a map ([engraving.md](engraving.md)).',
     family: 'lines',
     map: 'none',
   },
   pen: {
     sentence:
-      'the same lines in strokes of a pen, which begin and end thin, and are fewer in the lights ([engraved.md](media.md#pen)).',
+      'the same lines in strokes of a pen, which begin and end thin, and are fewer in the lights ([media.md](media.md#pen)).',
     family: 'lines',
     map: 'none',
   },
   woodcut: {
     sentence:
-      'the same lines cut white out of black: wedges that widen with the light and end in points ([engraved.md](media.md#woodcut)).',
+      'the same lines cut white out of black: wedges that widen with the light and end in points ([media.md](media.md#woodcut)).',
     family: 'lines',
     map: 'none',
   },

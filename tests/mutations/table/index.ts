@@ -8,7 +8,7 @@ import { command } from './command.js';
 import { consent } from './consent.js';
 import { detail } from './detail.js';
 import { element } from './element.js';
-import { engraved } from './engraved.js';
+import { engraving } from './engraving.js';
 import { exports } from './exports.js';
 import { exposure } from './exposure.js';
 import { fading } from './fading.js';
@@ -54,7 +54,7 @@ export const table: Readonly<Record<string, readonly Mutation[]>> = {
   detail,
   element,
   fading,
-  engraved,
+  engraving,
   exports,
   exposure,
   files,

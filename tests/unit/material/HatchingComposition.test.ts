@@ -59,7 +59,10 @@ describe.each([
     const material = new Made({ composition: { vignette: 0.4 } });
     for (const [wrong, message] of [
       [{ depthFade: 0.1, vignette: 2 }, 'HatchingComposition.vignette: 2 is not a number in [0, 1].'],
-      [{ depthFade: 0.1, exposure: 'fitted' }, 'HatchingComposition.exposure: fitted is not a number in (0, ∞).'],
+      [
+        { depthFade: 0.1, exposure: 'fitted' },
+        "HatchingComposition.exposure: fitted is not a number in (0, ∞) or 'fit' or 'auto'.",
+      ],
       [{ depthFade: 0.1, focus: [1] }, 'HatchingComposition.focus: expected null, a THREE.Vector3'],
       [5, 'HatchingMaterial.composition: expected an object of its properties, such as { vignette: 0.4 }.'],
       [null, 'HatchingMaterial.composition: expected an object of its properties'],

@@ -7,7 +7,7 @@ import { root } from '../docs/documents.js';
 
 /** What must have breaks. */
 const AREAS = (
-  'adjacency archives background bake blending command consent detail element fading engraved exports exposure files form frames hand kept ' +
+  'adjacency archives background bake blending command consent detail element fading engraving exports exposure files form frames hand kept ' +
   'keys lights links maps material mistakes nodes normals occlusion outlines page react repair scan scene shadows slices stipple strokes svg tone ' +
   'undo worker'
 ).split(' ');

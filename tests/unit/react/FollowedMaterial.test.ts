@@ -22,3 +22,23 @@ test('a canvas that draws on demand draws again when the map is there, once, and
   await second.ready;
   await eventually(() => expect(invalidate).toHaveBeenCalledTimes(2));
 });
+
+test('a composition that is removed again leaves that of the preset, not one that all materials share', async () => {
+  // React Three Fiber marks materials of elements, and reads defaults from one that it makes itself.
+  const [first, second] = ['pen', 'woodcut'].map((preset) =>
+    Object.assign(new FollowedMaterial({ preset: preset as 'pen' }), { __r3f: {} }),
+  );
+  const { composition } = new FollowedMaterial();
+  for (const material of [first, second]) {
+    const { exposure, vignette } = material.composition;
+    material.composition = { exposure: 2, vignette: 0.3 };
+    expect(material.composition).toMatchObject({ exposure: 2, vignette: 0.3 });
+    material.composition = composition;
+    expect(material.composition).toMatchObject({ exposure, vignette });
+  }
+  expect(first.composition.exposure).toBe('fit');
+  expect(first.composition).not.toBe(second.composition);
+  second.composition = first.composition;
+  expect(second.composition).toBe(first.composition);
+  await Promise.all([first.ready, second.ready]);
+});

@@ -120,7 +120,7 @@ export const STROKES = {
       z: 'the same across its z axis.',
       slant:
         'planes across an axis that is aslant to x, y and z: lines stay where they are, and run diagonally on walls, lids and floors.',
-      form: 'functions baked into the geometry: strokes and lines follow the form, around fingers, limbs and cheeks, whatever the light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraved.md](engraved.md#lines-along-the-form)).',
+      form: 'functions baked into the geometry: strokes and lines follow the form, around fingers, limbs and cheeks, whatever the light. `applyHatching` bakes them; for a geometry of your own pass `{ form: true }` to `prepareHatchingGeometry` ([engraving.md](engraving.md#lines-along-the-form)).',
       acrossForm:
         'the same, across the form: along limbs instead of around them. Strokes lie across at a right angle; lines are those that cross the others, as they were baked with a `crossAngle` of π/2.',
       sheet:

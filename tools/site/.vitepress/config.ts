@@ -47,7 +47,7 @@ export default defineConfig({
     ],
     sidebar: [
       group('Start', 'first-picture', 'examples', 'presets', 'lights-and-tone', 'recipes', 'troubleshooting'),
-      group('Drawing', 'material', 'media', 'engraved', 'maps', 'hand', 'outlines', 'shadows', 'composition', 'svg'),
+      group('Drawing', 'material', 'media', 'engraving', 'maps', 'hand', 'outlines', 'shadows', 'composition', 'svg'),
       group('Embedding', 'scene', 'configurator', 'react', 'element', 'geometry', 'performance', 'support', 'versions'),
       group(
         'How it is made',

@@ -30,7 +30,7 @@ import { penFor, strokeAt } from '../../../../src/vector/shading/penStrokes.js';
 import { octaveOf, octaves, powerOf2, riseOf, roomOf, spacedBy } from '../../../../src/vector/shading/ruledLines.js';
 import { changePerPixel, screenMap } from '../../../../src/vector/shading/screenGradient.js';
 import { type Along, alongLines, differing, numberOf } from '../../../../src/vector/shading/strokeLengths.js';
-import { engravedDarkness } from '../../../gpu/engravedDarkness.js';
+import { engravingDarkness } from '../../../gpu/engravingDarkness.js';
 import type { LineSettings } from '../../../gpu/hatchingSpec.js';
 import type { HatchingReference, ReferenceLight } from '../../../reference/hatchingReference.js';
 import { answers } from './answers.js';
@@ -554,7 +554,7 @@ answers(
       turnsAway: (light: ReferenceLight) => LIGHTS[dark].includes(light as never),
     } as unknown as HatchingReference;
     const isForm = direction === 'form' || direction === 'acrossForm';
-    const darknessOf = engravedDarkness(
+    const darknessOf = engravingDarkness(
       {
         lines: {
           direction,

@@ -14,7 +14,7 @@ const RIGHT_ALONE = () => new Plane(new Vector3(1, 0, 0), 0);
 const UPPER_ALONE = () => new Plane(new Vector3(0, 1, 0), 0);
 
 const numbersOf = (svg: string, axis: number): number[] =>
-  pathsOf(svg, 'engraved').flatMap((data) => ringsOf(data).flatMap((ring) => ring.filter((_, i) => i % 2 === axis)));
+  pathsOf(svg, 'lines').flatMap((data) => ringsOf(data).flatMap((ring) => ring.filter((_, i) => i % 2 === axis)));
 
 describe('clipping planes', () => {
   test('of a material: a box has neither lines nor outlines beyond them', async () => {

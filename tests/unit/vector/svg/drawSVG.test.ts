@@ -98,7 +98,7 @@ describe('the sheet', () => {
     expect(svg).toMatch(/^<svg [^>]*width="148mm" height="210mm" viewBox="0 0 148 210">/);
     expect(svg).not.toContain('<rect');
     expect([...svg.matchAll(/inkscape:groupmode="layer" inkscape:label="([^"]*)"/g)].map(([, label]) => label)).toEqual(
-      ['1 outlines', '2 engraved', '3 crossing'],
+      ['1 outlines', '2 lines', '3 crossing'],
     );
     expect(svg).toContain('stroke-width="0.5"');
   });
@@ -129,8 +129,8 @@ describe('the sheet', () => {
     const blue = await hatchedMesh(new SphereGeometry(0.4, 32, 24), { outlines: false, material: { ink: 'blue' } });
     blue.position.x = 0.8;
     const { svg } = await drawSVG(sceneOf(red, blue), cameraAt(0, 0, 1), SMALL);
-    expect(svg).toContain('engraved #ff0000" fill="#ff0000"');
-    expect(svg).toContain('engraved #0000ff" fill="#0000ff"');
+    expect(svg).toContain('lines #ff0000" fill="#ff0000"');
+    expect(svg).toContain('lines #0000ff" fill="#0000ff"');
   });
 });
 

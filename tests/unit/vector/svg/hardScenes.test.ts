@@ -158,5 +158,5 @@ test('a scene hatched by applyHatching is drawn as it is', async () => {
   await applyHatching(scene, 'engraving');
   const { svg, leftOut } = await drawSVG(scene, cameraAt(0, 0, 1), SMALL);
   expect(leftOut).toEqual([]);
-  expect(pathsOf(svg, 'engraved').length).toBeGreaterThan(20);
+  expect(pathsOf(svg, 'lines').length).toBeGreaterThan(20);
 });

@@ -68,7 +68,7 @@ describe('instances', () => {
         )),
       ),
     );
-    expect(pathsOf(one.svg, 'engraved').length).toBeGreaterThan(60);
+    expect(pathsOf(one.svg, 'lines').length).toBeGreaterThan(60);
     expect(pathsOf(one.svg, 'outlines').length).toBeGreaterThan(5);
     expect(one.leftOut).toEqual([]);
     // Lines are drawn in the order of meshes.
@@ -132,7 +132,7 @@ describe('batches', () => {
     batch.geometry.computeBoundingSphere();
     for (const { geometry } of [...rings, ...boxes]) geometry.boundingSphere = batch.geometry.boundingSphere!.clone();
     const other = await draw(shadowed(rings[0], boxes[1], rings[2]));
-    expect(pathsOf(one.svg, 'engraved').length).toBeGreaterThan(40);
+    expect(pathsOf(one.svg, 'lines').length).toBeGreaterThan(40);
     expect(one.paths).toBe(other.paths);
     expect(one.drawn).toBeCloseTo(other.drawn, 0);
   });

@@ -42,7 +42,7 @@ describe('a pen', () => {
   });
 
   test('begins and ends strokes on its lines', { tags: ['all'] }, async () => {
-    const lengths = pathsOf((await draw(0.25)).svg, 'engraved').map(extentOf);
+    const lengths = pathsOf((await draw(0.25)).svg, 'lines').map(extentOf);
     lengths.sort((a, b) => a - b);
     const pixels = (share: number) => lengths[Math.floor(share * lengths.length)] / PIXEL;
     // Strokes are 60 pixels long, give or take half an octave; where two meet they form one path.
@@ -56,7 +56,7 @@ describe('a pen', () => {
     /** The agreement of strokes on a direction: 1 if all are parallel. */
     const agreement = async (irregularity: number) => {
       const { svg } = await draw(0.3, 'pen', irregularity);
-      const paths = pathsOf(svg, 'engraved').map((data) => {
+      const paths = pathsOf(svg, 'lines').map((data) => {
         const [points] = ringsOf(data);
         const last = points.length - 2;
         return 2 * Math.atan2(points[last + 1] - points[1], points[last] - points[0]);

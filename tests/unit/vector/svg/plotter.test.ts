@@ -65,7 +65,7 @@ describe.skipIf(!hasVpype)('vpype', () => {
     for (const one of widths) expect(one).toBeCloseTo(pixels(0.2), 5);
     expect([...read.matchAll(/vp_name: \(str\) (.*)/g)].map(([, name]) => name)).toEqual([
       '1 outlines',
-      '2 engraved',
+      '2 lines',
       '3 crossing',
     ]);
   });

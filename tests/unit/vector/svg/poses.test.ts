@@ -101,9 +101,9 @@ describe('skins', () => {
     plain.position.copy(lower.position);
     const [one, other] = [await draw(mesh), await draw(plain)];
     expect(one.leftOut).toEqual([]);
-    expect(pathsOf(one.svg, 'engraved').length).toBeGreaterThan(30);
+    expect(pathsOf(one.svg, 'lines').length).toBeGreaterThan(30);
     expectAlike(one.drawn, other.drawn, 0.002);
-    expect(awayFrom(one.svg, other.svg, 'engraved', 0.1)).toBeLessThan(0.005);
+    expect(awayFrom(one.svg, other.svg, 'lines', 0.1)).toBeLessThan(0.005);
     expect(awayFrom(other.svg, one.svg, 'outlines', 0.1)).toBeLessThan(0.01);
   });
 
@@ -114,7 +114,7 @@ describe('skins', () => {
     const plain = await hatchedMesh(column(), { material, outlines: false });
     plain.rotation.z = 0.7;
     const [one, other] = [await draw(mesh), await draw(plain)];
-    expect(awayFrom(one.svg, other.svg, 'engraved', 0.1)).toBeLessThan(0.005);
+    expect(awayFrom(one.svg, other.svg, 'lines', 0.1)).toBeLessThan(0.005);
   });
 
   test('a bent column has the outlines of its pose', { tags: ['all'] }, async () => {
@@ -142,13 +142,13 @@ describe('skins', () => {
     const plain = await hatchedMesh(baked(mesh, column()), { material, outlines: false });
     plain.geometry.boundingSphere = mesh.geometry.boundingSphere!.clone();
     const [one, other] = [await draw(mesh), await draw(plain)];
-    expect(awayFrom(one.svg, other.svg, 'engraved', 0.3)).toBeLessThan(0.03);
+    expect(awayFrom(one.svg, other.svg, 'lines', 0.3)).toBeLessThan(0.03);
     const inkOf = (svg: string): number => pathsOf(svg).reduce((sum, data) => sum + inkIn(ringsOf(data)), 0);
     expectAlike(inkOf(one.svg), inkOf(other.svg), 0.02);
     // Lines at rest stretch and crowd with the skin, but keep the tone.
     mesh.material.setValues({ strokeAnchor: 'rest' });
     const atRest = await draw(mesh);
-    expect(awayFrom(atRest.svg, one.svg, 'engraved', 0.3)).toBeGreaterThan(0.1);
+    expect(awayFrom(atRest.svg, one.svg, 'lines', 0.3)).toBeGreaterThan(0.1);
     expectAlike(inkOf(atRest.svg), inkOf(one.svg), 0.05);
   });
 
@@ -198,7 +198,7 @@ describe('morph targets', () => {
     expect(one.leftOut).toEqual([]);
     expect(awayFrom(one.svg, other.svg, 'outlines', 0.5)).toBeLessThan(0.04);
     expect(awayFrom(other.svg, one.svg, 'outlines', 0.5)).toBeLessThan(0.04);
-    expect(awayFrom(one.svg, other.svg, 'engraved', 0.4)).toBeLessThan(0.05);
+    expect(awayFrom(one.svg, other.svg, 'lines', 0.4)).toBeLessThan(0.05);
   });
 
   test('a target that moves all of a body moves its lines with it, through a skin as well', {
@@ -217,7 +217,7 @@ describe('morph targets', () => {
     // Morph targets affect the bounding sphere, whose centre is the origin of the field.
     plain.geometry.boundingSphere = mesh.geometry.boundingSphere!.clone();
     const [one, other] = [await draw(mesh), await draw(plain)];
-    expect(awayFrom(one.svg, other.svg, 'engraved', 0.1)).toBeLessThan(0.005);
+    expect(awayFrom(one.svg, other.svg, 'lines', 0.1)).toBeLessThan(0.005);
     expect(awayFrom(other.svg, one.svg, 'outlines', 0.1)).toBeLessThan(0.01);
   });
 });

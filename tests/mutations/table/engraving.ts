@@ -1,6 +1,6 @@
 import type { Mutation } from '../Mutation.js';
 
-export const engraved: readonly Mutation[] = [
+export const engraving: readonly Mutation[] = [
   {
     name: 'young lines are as wide as old ones',
     file: 'shaders/techniques/lines/ruledLines.glsl',
@@ -8,7 +8,7 @@ export const engraved: readonly Mutation[] = [
     replace: '0.5 * spacing',
     caughtBy: {
       layer: 'gpu',
-      file: 'tests/gpu/engravedLines.spec.ts',
+      file: 'tests/gpu/engravingLines.spec.ts',
       title: 'engraving equals the lines of vector files: …tangent to a light from above',
     },
   },
@@ -19,7 +19,7 @@ export const engraved: readonly Mutation[] = [
     replace: 'takenOf(tone, 1.0)',
     caughtBy: {
       layer: 'gpu',
-      file: 'tests/gpu/engravedLines.spec.ts',
+      file: 'tests/gpu/engravingLines.spec.ts',
       title: 'engraving equals the lines of vector files: …crossing at right angles from light tones on',
     },
   },
@@ -30,7 +30,7 @@ export const engraved: readonly Mutation[] = [
     replace: 'lean.x * h.value - lean.y * dot(h.point, side)',
     caughtBy: {
       layer: 'gpu',
-      file: 'tests/gpu/engravedLines.spec.ts',
+      file: 'tests/gpu/engravingLines.spec.ts',
       title: 'engraving equals the lines of vector files: …crossing at right angles from light tones on',
     },
   },
@@ -48,7 +48,7 @@ export const engraved: readonly Mutation[] = [
     replace: 'Math.min(SWELL, rare)',
     caughtBy: {
       layer: 'gpu',
-      file: 'tests/gpu/engravedLines.spec.ts',
+      file: 'tests/gpu/engravingLines.spec.ts',
       title: 'engraving equals the lines of vector files: …carved, placed and crossed by shadow',
     },
   },

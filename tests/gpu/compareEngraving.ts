@@ -2,7 +2,7 @@ import { quickOnly } from '../browser/quickIf.js';
 import type { TestOnOnePage } from '../browser/test.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
 import { torus } from '../reference/meshes.js';
-import { engravedDarkness } from './engravedDarkness.js';
+import { engravingDarkness } from './engravingDarkness.js';
 import type { HatchingSpec, LineSettings } from './hatchingSpec.js';
 import { centreOf, expectDarkness, type ReferenceCase, referenceOf, specOf } from './referenceCase.js';
 import {
@@ -205,7 +205,7 @@ const specFor = ({ lines, ...rest }: EngravedCase): HatchingSpec => ({
 });
 
 /** The page's input for all cases of `engraving`, by name. */
-export const engravedSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
+export const engravingSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
 
 /** Names of cases that together have each light, layer, field, placement and look. */
 const detailsOf = quickOnly(
@@ -237,7 +237,7 @@ const detailsOf = quickOnly(
  *
  * @param test whose page has `renderHatching`
  */
-export function compareEngraved(test: TestOnOnePage): void {
+export function compareEngraving(test: TestOnOnePage): void {
   for (const one of cases) {
     test(`engraving equals the lines of vector files: ${one.name}`, detailsOf(one.name), async ({ page }) => {
       const spec = specFor(one);
@@ -248,7 +248,7 @@ export function compareEngraved(test: TestOnOnePage): void {
         screenSpaceShare: spec.screenSpaceShare!,
         centre: centreOf(spec.positions),
       };
-      await expectDarkness(page, spec, reference, engravedDarkness(scene, reference));
+      await expectDarkness(page, spec, reference, engravingDarkness(scene, reference));
     });
   }
 }

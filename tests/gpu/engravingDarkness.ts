@@ -31,7 +31,7 @@ export type EngravedScene = Pick<HatchingSpec, 'lights' | 'matrixWorld' | 'camer
 };
 
 /** The darkness of engraved lines, by the functions that draw them in vector files. Light and tone are those of the reference. */
-export function engravedDarkness(scene: EngravedScene, reference: HatchingReference): DarknessOf {
+export function engravingDarkness(scene: EngravedScene, reference: HatchingReference): DarknessOf {
   const { lines, lights, matrixWorld, camera, material, screenSpaceShare, centre } = scene;
   const {
     direction,

@@ -1,4 +1,0 @@
-import { compareEngraved } from './compareEngraved.js';
-import { referencePage } from './referencePage.js';
-
-compareEngraved(referencePage);

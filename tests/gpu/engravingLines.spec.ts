@@ -1,0 +1,4 @@
+import { compareEngraving } from './compareEngraving.js';
+import { referencePage } from './referencePage.js';
+
+compareEngraving(referencePage);
