@@ -53,52 +53,59 @@ const sharedAt = (m: readonly number[], p: ArrayLike<number>, i: number, axis: n
 
 /** A mesh on the grid of its scene, prepared for being cut by others. */
 export class MeetingMesh {
-  /** The vertices of triangles that have an area, three each. */
-  readonly vertices: Uint32Array;
-  /** The points of their corners. */
-  readonly points: Uint32Array;
-  /** Unit normals of points, in the shared space. */
-  readonly normals: Float64Array;
-  /** Whole numbers: the position of each vertex, in steps of the grid. */
-  readonly places: Float64Array;
   /** The shell of each triangle: those that are connected have one. */
   readonly shells: Uint32Array;
-  readonly tree!: TriangleTree;
   /** Keys of edges that have a line already. */
   private readonly lined = new Set<number>();
   private readonly edgeNumbers = new Map<number, number>();
 
-  private constructor(mesh: IntersectingMesh, grid: Grid, canonical: Uint32Array) {
-    const { positions, toShared } = mesh;
-    this.places = new Float64Array(positions.length);
-    for (let i = 0; i < positions.length; i += 3)
-      for (let axis = 0; axis < 3; axis++)
-        this.places[i + axis] = Math.round((sharedAt(toShared, positions, i, axis) - grid.origin[axis]) / grid.step);
-    this.normals = sharedNormals(mesh);
-    const kept = solidTriangles(mesh.triangles, canonical, this.places);
-    this.vertices = kept.map((corner) => canonical[mesh.triangles[corner]]);
-    this.points = kept.map((corner) => mesh.triangles[corner]);
-    const sets = disjointSets(canonical.length);
-    for (let i = 0; i < this.vertices.length; i += 3) {
-      join(sets, this.vertices[i], this.vertices[i + 1]);
-      join(sets, this.vertices[i], this.vertices[i + 2]);
-    }
-    this.shells = new Uint32Array(this.vertices.length / 3);
-    for (let t = 0; t < this.shells.length; t++) this.shells[t] = rootOf(sets, this.vertices[3 * t]);
-    for (let i = 0; i < mesh.edges.length; i += 2)
-      this.lined.add(this.keyOf(canonical[mesh.edges[i]], canonical[mesh.edges[i + 1]]));
+  private constructor(
+    /** The vertices of triangles that have an area, three each. */
+    readonly vertices: Uint32Array,
+    /** The points of their corners. */
+    readonly points: Uint32Array,
+    /** Unit normals of points, in the shared space. */
+    readonly normals: Float64Array,
+    /** Whole numbers: the position of each vertex, in steps of the grid. */
+    readonly places: Float64Array,
+    readonly tree: TriangleTree,
+    shells: Uint32Array,
+  ) {
+    this.shells = shells;
   }
 
   /** Prepares a mesh. Yields its progress. */
   static *of(mesh: IntersectingMesh, grid: Grid): Generator<number, MeetingMesh, void> {
-    const { canonical } = yield* asPhase(weldPositions(mesh.positions), 0, 0.2);
-    const made = new MeetingMesh(mesh, grid, canonical);
-    yield 0.4;
-    const boxes = new Float64Array(BOX * made.shells.length);
-    yield* chunkPhase(made.shells.length, 0.4, 0.5, (start, end) => {
-      writeBoxes(made.vertices, made.places, boxes, start, end);
+    const { positions, triangles, edges } = mesh;
+    const { canonical } = yield* asPhase(weldPositions(positions), 0, 0.2);
+    const places = new Float64Array(positions.length);
+    const normals = new Float64Array(positions.length);
+    const turn = turnOfNormals(mesh.toShared);
+    yield* chunkPhase(canonical.length, 0.2, 0.3, (start, end) => {
+      placeRange(mesh, grid, places, start, end);
+      turnRange(mesh.normals, turn, normals, start, end);
     });
-    return Object.assign(made, { tree: yield* asPhase(TriangleTree.build(boxes, made.shells), 0.5, 1) });
+    const kept = new Uint32Array(triangles.length / 3);
+    let count = 0;
+    yield* chunkPhase(kept.length, 0.3, 0.4, (start, end) => {
+      count = keepRange(triangles, canonical, places, kept, count, start, end);
+    });
+    const vertices = new Uint32Array(3 * count);
+    const points = new Uint32Array(3 * count);
+    const sets = disjointSets(canonical.length);
+    yield* chunkPhase(count, 0.4, 0.5, (start, end) => {
+      connectRange(triangles, canonical, kept, vertices, points, sets, start, end);
+    });
+    const shells = new Uint32Array(count);
+    const boxes = new Float64Array(BOX * count);
+    yield* chunkPhase(count, 0.5, 0.6, (start, end) => {
+      for (let t = start; t < end; t++) shells[t] = rootOf(sets, vertices[3 * t]);
+      writeBoxes(vertices, places, boxes, start, end);
+    });
+    const tree = yield* asPhase(TriangleTree.build(boxes, shells), 0.6, 1);
+    const made = new MeetingMesh(vertices, points, normals, places, tree, shells);
+    for (let i = 0; i < edges.length; i += 2) made.lined.add(made.keyOf(canonical[edges[i]], canonical[edges[i + 1]]));
+    return made;
   }
 
   private keyOf(a: number, b: number): number {
@@ -124,17 +131,66 @@ export class MeetingMesh {
   }
 }
 
-/** The corners of triangles that have an area and finite places. */
-function solidTriangles(triangles: Uint32Array, canonical: Uint32Array, places: Float64Array): Uint32Array {
-  const kept: number[] = [];
-  for (let corner = 0; corner + 2 < triangles.length; corner += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => 3 * canonical[triangles[corner + k]]);
-    const [ux, uy, uz] = [0, 1, 2].map((axis) => places[b + axis] - places[a + axis]);
-    const [vx, vy, vz] = [0, 1, 2].map((axis) => places[c + axis] - places[a + axis]);
+function placeRange(
+  { positions, toShared }: IntersectingMesh,
+  { origin, step }: Grid,
+  places: Float64Array,
+  start: number,
+  end: number,
+): void {
+  for (let i = 3 * start; i < 3 * end; i += 3)
+    for (let axis = 0; axis < 3; axis++)
+      places[i + axis] = Math.round((sharedAt(toShared, positions, i, axis) - origin[axis]) / step);
+}
+
+/** Keeps the triangles of a range that have an area and finite places. Returns how many are kept so far. */
+function keepRange(
+  triangles: Uint32Array,
+  canonical: Uint32Array,
+  places: Float64Array,
+  kept: Uint32Array,
+  count: number,
+  start: number,
+  end: number,
+): number {
+  let next = count;
+  for (let t = start; t < end; t++) {
+    const [a, b, c] = [
+      3 * canonical[triangles[3 * t]],
+      3 * canonical[triangles[3 * t + 1]],
+      3 * canonical[triangles[3 * t + 2]],
+    ];
+    const ux = places[b] - places[a];
+    const uy = places[b + 1] - places[a + 1];
+    const uz = places[b + 2] - places[a + 2];
+    const vx = places[c] - places[a];
+    const vy = places[c + 1] - places[a + 1];
+    const vz = places[c + 2] - places[a + 2];
     const area = Math.abs(uy * vz - uz * vy) + Math.abs(uz * vx - ux * vz) + Math.abs(ux * vy - uy * vx);
-    if (area > 0 && area < Infinity) kept.push(corner, corner + 1, corner + 2);
+    if (area > 0 && area < Infinity) kept[next++] = t;
   }
-  return Uint32Array.from(kept);
+  return next;
+}
+
+/** Writes the vertices and points of the triangles that are kept, and joins those that are connected. */
+function connectRange(
+  triangles: Uint32Array,
+  canonical: Uint32Array,
+  kept: Uint32Array,
+  vertices: Uint32Array,
+  points: Uint32Array,
+  sets: Uint32Array,
+  start: number,
+  end: number,
+): void {
+  for (let t = start; t < end; t++) {
+    for (let k = 0; k < 3; k++) {
+      points[3 * t + k] = triangles[3 * kept[t] + k];
+      vertices[3 * t + k] = canonical[points[3 * t + k]];
+    }
+    join(sets, vertices[3 * t], vertices[3 * t + 1]);
+    join(sets, vertices[3 * t], vertices[3 * t + 2]);
+  }
 }
 
 function writeBoxes(
@@ -153,8 +209,8 @@ function writeBoxes(
   }
 }
 
-/** The unit normals of points in the shared space: by the cofactors of the matrix, turned where it mirrors. */
-function sharedNormals({ normals, toShared: m }: IntersectingMesh): Float64Array {
+/** The matrix, in columns, that takes normals to the shared space: the cofactors, turned where a matrix mirrors. */
+function turnOfNormals(m: readonly number[]): readonly number[] {
   const column = (k: number) => [m[4 * k], m[4 * k + 1], m[4 * k + 2]] as const;
   const [x, y, z] = [column(0), column(1), column(2)];
   const crossed = (a: readonly number[], b: readonly number[]) => [
@@ -162,14 +218,26 @@ function sharedNormals({ normals, toShared: m }: IntersectingMesh): Float64Array
     a[2] * b[0] - a[0] * b[2],
     a[0] * b[1] - a[1] * b[0],
   ];
-  const [yz, zx, xy] = [crossed(y, z), crossed(z, x), crossed(x, y)];
-  const sign = yz[0] * x[0] + yz[1] * x[1] + yz[2] * x[2] < 0 ? -1 : 1;
-  const turned = new Float64Array(normals.length);
-  for (let i = 0; i < normals.length; i += 3) {
-    for (let axis = 0; axis < 3; axis++)
-      turned[i + axis] = sign * (normals[i] * yz[axis] + normals[i + 1] * zx[axis] + normals[i + 2] * xy[axis]);
-    const length = Math.hypot(turned[i], turned[i + 1], turned[i + 2]) || 1;
+  const cofactors = [...crossed(y, z), ...crossed(z, x), ...crossed(x, y)];
+  const sign = cofactors[0] * x[0] + cofactors[1] * x[1] + cofactors[2] * x[2] < 0 ? -1 : 1;
+  return cofactors.map((value) => sign * value);
+}
+
+function turnRange(
+  normals: Float32Array,
+  turn: readonly number[],
+  turned: Float64Array,
+  start: number,
+  end: number,
+): void {
+  for (let i = 3 * start; i < 3 * end; i += 3) {
+    let square = 0;
+    for (let axis = 0; axis < 3; axis++) {
+      const value = normals[i] * turn[axis] + normals[i + 1] * turn[3 + axis] + normals[i + 2] * turn[6 + axis];
+      turned[i + axis] = value;
+      square += value * value;
+    }
+    const length = Math.sqrt(square) || 1;
     for (let axis = 0; axis < 3; axis++) turned[i + axis] /= length;
   }
-  return turned;
 }
