@@ -116,11 +116,11 @@ test('hidden parts are in no saved file', { tag: '@all' }, async ({ page }) => {
 test('parts of a scene that moves are hidden at once, with their shadows and outlines', async ({ page }) => {
   const builder = tetrahedron();
   const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR', { min: [0], max: [1] });
-  const output = builder.accessor(Float32Array.of(0, 0, 0, 0, 0.2, 0), 'VEC3');
+  const output = builder.accessor(Float32Array.of(0, 4, 0, 0, 4.2, 0), 'VEC3');
   Object.assign(builder.json, {
     nodes: [
       { name: 'Body', mesh: 0, children: [1] },
-      { name: 'Arm', mesh: 0, translation: [3, 0, 0] },
+      { name: 'Arm', mesh: 0, translation: [0, 4, 0] },
     ],
     animations: [
       { samplers: [{ input: times, output }], channels: [{ sampler: 0, target: { node: 1, path: 'translation' } }] },
@@ -196,7 +196,8 @@ test('what was done to a file is undone by switches behind “i”, which are st
   await drop(page, [file('box.stl', Buffer.from(boxStl([0, 0, 0])))]);
   await ready(page);
   await page.locator('#about-model summary').click();
-  const up = page.getByRole('switch');
+  await expect(page.getByRole('switch')).toBeVisible();
+  const up = page.locator('#model-changes li:not([hidden]) input');
   await expect(up).toBeChecked();
   await expect(page.locator('#model-changes')).toHaveText(/stood up: z is up in STL files/);
   const stood = await readDrawing(page);
