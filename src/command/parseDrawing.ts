@@ -8,13 +8,20 @@ interface DirectionInDegrees {
   elevation: number;
 }
 
+/** One of the views that show the model best. */
+export interface BestView {
+  /** From 1 on. */
+  rank: number;
+}
+
 /** The options of the command line that control the drawing: plain data, sent to the drawing thread. Lengths are in millimetres. */
 export interface DrawingOptions {
   /** Undefined for the preset of the link, or else of the playground's first view. */
   preset: string | undefined;
   /** The hash of a playground link. */
   link: string | undefined;
-  view: DirectionInDegrees | undefined;
+  /** A direction, or a rank among the views that show the model best; undefined for the view of the link, or else the best one. */
+  view: DirectionInDegrees | BestView | undefined;
   /** The name of a camera of the model, or its number, counted from 1. */
   camera: string | undefined;
   /** Enlargement of the picture; at 1, the model fills it. */
@@ -72,12 +79,33 @@ const NAMED: Readonly<Record<string, DirectionInDegrees>> = {
 
 const NAMES = Object.keys(NAMED);
 
+/** The views that are found for a model, by name. */
+const BEST: Readonly<Record<string, BestView>> = {
+  auto: { rank: 1 },
+  auto2: { rank: 2 },
+  auto3: { rank: 3 },
+  auto4: { rank: 4 },
+};
+
+/**
+ * Parses the view: a name, or azimuth and elevation in degrees.
+ *
+ * @throws UsageError if it is neither
+ */
+function viewOf(text: string | undefined): DrawingOptions['view'] {
+  return BEST[text?.trim().toLowerCase() ?? ''] ?? directionOf('view', text, ['auto to auto4', ...NAMES]);
+}
+
 /**
  * Parses the direction after an option: a name, or azimuth and elevation in degrees.
  *
  * @throws UsageError if it is neither
  */
-function directionOf(option: string, text: string | undefined): DirectionInDegrees | undefined {
+function directionOf(
+  option: string,
+  text: string | undefined,
+  names: readonly string[] = NAMES,
+): DirectionInDegrees | undefined {
   if (text === undefined) return undefined;
   const plain = text.trim().toLowerCase();
   if (NAMES.includes(plain)) return NAMED[plain];
@@ -85,7 +113,7 @@ function directionOf(option: string, text: string | undefined): DirectionInDegre
   const isThere = rest.length === 0 && Math.abs(azimuth) <= 360 && Math.abs(elevation) <= 90;
   if (isThere) return { azimuth, elevation };
   throw new UsageError(
-    `--${option} is "${text}", but must be two numbers in quotes, as "25 8": degrees around the model, from -360 to 360, and degrees above it, from -90 to 90; or ${NAMES.slice(0, -1).join(', ')} or ${NAMES.at(-1)}.`,
+    `--${option} is "${text}", but must be two numbers in quotes, as "25 8": degrees around the model, from -360 to 360, and degrees above it, from -90 to 90; or ${names.slice(0, -1).join(', ')} or ${names.at(-1)}.`,
   );
 }
 
@@ -158,8 +186,9 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
 
   --preset <name>          the look: ${LINED.join(', ')} (default engraving)
   --link <address>         the look, view and lights of a link of the playground; nothing is fetched
-  --view "<around> <up>"   where the eye is: degrees around the model and above it (default "31.8 17");
-                           or front, back, left, right, top, bottom or iso
+  --view "<around> <up>"   where the eye is: degrees around the model and above it; or front, back, left, right,
+                           top, bottom or iso; or auto, auto2, auto3 or auto4: the best view that is found
+                           for the model, and others (default auto)
   --camera <name>          draws from this camera of a glTF file; its number will do
   --zoom <factor>          how much larger than to fill the sheet (default ${DEFAULTS.zoom})
   --orthographic           without perspective
@@ -222,7 +251,7 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
   if (link !== undefined && values.preset === undefined) checkLines(link);
   const options: DrawingOptions = {
     preset: presetOf(values.preset),
-    view: directionOf('view', values.view),
+    view: viewOf(values.view),
     camera: nameOf('camera', values.camera),
     zoom: number('zoom', values.zoom, { least: 0.05, most: 100 }) ?? DEFAULTS.zoom,
     orthographic: values.orthographic ?? false,

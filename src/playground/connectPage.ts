@@ -25,7 +25,7 @@ export interface PageHandlers {
 export function connectPage(handlers: PageHandlers): void {
   connectButtons(handlers);
   connectSteps(handlers.session);
-  connectKeys(handlers);
+  connectKeys(handlers, connectViews(handlers));
   if (pageForm === 'playground') connectDrops(handlers);
 }
 
@@ -54,6 +54,18 @@ function connectButtons({ session, card, dialogs, exports, parts }: PageHandlers
   onClick(page.toggleCard, () => openCard(!page.card.classList.contains('is-open')));
 }
 
+/** Connects the button that shows another view. @returns what it does */
+function connectViews({ session, parts, status }: PageHandlers): () => void {
+  const views = parts.later(async () => new (await import('./loading/AnotherView.js')).AnotherView(session));
+  const showNext = (): void =>
+    parts.whenFetched(
+      views.fetch().then((fetched) => fetched.showNext()),
+      (sentence) => sentence && status.say(sentence),
+    );
+  page.anotherView.addEventListener('click', showNext);
+  return showNext;
+}
+
 function connectSteps(session: Session): void {
   page.undo.addEventListener('click', () => session.undo());
   page.redo.addEventListener('click', () => session.redo());
@@ -65,10 +77,11 @@ function connectSteps(session: Session): void {
   stepped();
 }
 
-function connectKeys({ session, dialogs, fillScreen }: PageHandlers): void {
+function connectKeys({ session, dialogs, fillScreen }: PageHandlers, showAnotherView: () => void): void {
   listenToKeys({
     close: () => openCard(false),
     fillScreen,
+    showAnotherView,
     openKeys: pageForm === 'playground' ? () => dialogs.openKeys() : undefined,
     showView: (index) => session.views.choose(index),
     undo: () => session.undo(),

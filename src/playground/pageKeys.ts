@@ -11,6 +11,7 @@ const isDialogOpen = (): boolean => document.querySelector('dialog[open]') !== n
 export interface PageKeys {
   close(): void;
   fillScreen(): void;
+  showAnotherView(): void;
   /** Opens the list of keys, if the page has one. */
   openKeys: (() => void) | undefined;
   /** @param index of a saved view */
@@ -26,6 +27,7 @@ export function listenToKeys(keys: PageKeys): void {
     // Escape closes one thing at a time.
     if (event.key === 'Escape' && !isDialogOpen()) keys.close();
     if (isShortcut(event, 'f')) keys.fillScreen();
+    if (isShortcut(event, 'v')) keys.showAnotherView();
     if (isShortcut(event, ...DIGITS)) keys.showView(Number(event.key) - 1);
     if (keys.openKeys && isShortcut(event, '?', 'h', 'f1')) {
       // F1 would open the browser's help.

@@ -233,5 +233,9 @@ export const OFFERS = {
     'settings/shareLink.ts',
     'settings/surprise.ts',
     'settings/table/rows.ts',
+    'views/chooseViews.ts',
+    'views/sceneTriangles.ts',
+    'views/viewSurface.ts',
+    'views/withViews.ts',
   ],
 };

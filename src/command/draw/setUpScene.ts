@@ -1,5 +1,6 @@
 import { Group, MathUtils, PerspectiveCamera, Scene, Spherical, Vector3 } from 'three';
 import { bakeOcclusion, flatteringLight, type PresetName } from 'three-hatching';
+import { runToEnd } from '../../mesh/phases.js';
 import { lyingSize } from '../../vector/svg/sheetSizes.js';
 import { bakeFurther } from '../../viewer/drawing/bakeFurther.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
@@ -28,6 +29,8 @@ import { firstView, presetLook, wholeLook } from '../../viewer/settings/presets.
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { formDrawn } from '../../viewer/settings/settingValues.js';
 import { readLink } from '../../viewer/settings/shareLink.js';
+import { chooseViews } from '../../viewer/views/chooseViews.js';
+import { sceneTriangles } from '../../viewer/views/sceneTriangles.js';
 import type { DrawingOptions } from '../parseDrawing.js';
 
 /** The settings and the camera of a drawing. */
@@ -114,7 +117,9 @@ export async function setUpScene(
   const inPicture = aroundUpright(framedPoints, angles);
   const { cameras, lights: fileLights } = movedExtras(model.extras, upright.matrixWorld);
   const fileCamera = options.camera === undefined ? undefined : cameras[indexOfName(namesOf(cameras), options.camera)];
-  const eye = fileCamera ? eyeOfFile(fileCamera) : eyeOf(options, place);
+  const eye = fileCamera
+    ? eyeOfFile(fileCamera)
+    : eyeOf(options, place, () => bestView(model, settings.upAxis, options));
   const { toEye, up } = eye;
   const proportion = fileCamera?.aspect ?? proportionOf(inPicture, toEye, up);
   const sheet = lyingSize(options.sheet, proportion > ABOUT_SQUARE);
@@ -177,11 +182,19 @@ function eyeOfFile(fileCamera: FileCamera): EyeDirection {
   return { toEye: camera.position.clone().sub(target), up: camera.up };
 }
 
-/** The direction to the eye: of the options, or else of a link, or else the playground's default. */
-function eyeOf({ view }: DrawingOptions, place: DrawnWith['camera']): EyeDirection {
-  if (view) return eyeDirection(view.azimuth, view.elevation);
-  const [position, target] = place ? [place.position, place.target] : [DEFAULT_VIEW, [0, 0, 0]];
-  return { toEye: new Vector3(...position).sub(new Vector3(...target)), up: UP };
+/** The direction to the eye: of the options, or else of a link, or else of the view that shows the model best. */
+function eyeOf({ view }: DrawingOptions, place: DrawnWith['camera'], best: () => EyeDirection): EyeDirection {
+  if (view && 'azimuth' in view) return eyeDirection(view.azimuth, view.elevation);
+  if (view || !place) return best();
+  return { toEye: new Vector3(...place.position).sub(new Vector3(...place.target)), up: UP };
+}
+
+/** One of the views that show a model best, or the last of them if there are fewer; the playground's default if it has no area. */
+function bestView({ root }: HatchedModel, upAxis: Settings['upAxis'], { view }: DrawingOptions): EyeDirection {
+  const views = runToEnd(chooseViews(sceneTriangles(root), upAxis));
+  const rank = view && 'rank' in view ? view.rank : 1;
+  const chosen = views[Math.min(rank, views.length) - 1];
+  return chosen ? eyeDirection(chosen.azimuth, chosen.elevation) : { toEye: new Vector3(...DEFAULT_VIEW), up: UP };
 }
 
 /** A ground whose parts are made when a look first needs them. */

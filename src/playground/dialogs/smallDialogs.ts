@@ -83,6 +83,7 @@ const KEYS: readonly { about: string; rows: readonly (readonly [keys: string, te
     rows: [
       ['Ctrl Z', 'undo'],
       ['Ctrl Y, Ctrl Shift Z', 'redo'],
+      ['V', 'another view of the model'],
       ['1 to 9', 'go to a view that was kept'],
       ['F', 'full screen'],
       ['Esc', 'close what is open'],

@@ -6,15 +6,17 @@ import type { BundledDrawing } from '../../viewer/files/bundle.js';
 import type { FileChange, FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { shownName } from '../../viewer/files/common/ModelError.js';
 import type { ModelFile, ReadMesh, ReadModel } from '../../viewer/files/readModel.js';
+import { eyeDirection } from '../../viewer/sceneSetup/placeCamera.js';
 import type { CameraView, SavedView } from '../../viewer/settings/CameraView.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { drawsWithAdjacency } from '../../viewer/settings/settingValues.js';
 import { isReadAlike, isSameList, type ModelChoice, NO_CHOICE } from '../../viewer/settings/shareLink.js';
+import type { ChosenView } from '../../viewer/views/chooseViews.js';
 import type { CodeModel } from '../code/modelSource.js';
 import { BUILT_IN_MODELS } from '../models/models.js';
 import { setPageState } from '../page/elements.js';
 import { page } from '../page/page.js';
-import { type LoadOptions, loadModelFiles } from '../reading/loadModelFiles.js';
+import { findViews, type LoadOptions, loadModelFiles } from '../reading/loadModelFiles.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import { afterFrame } from '../viewport/graphicsCard.js';
 import type { Viewport } from '../viewport/Viewport.js';
@@ -77,6 +79,8 @@ interface Load extends Wanted {
   isLit?: boolean;
   /** Whether its placeholder is shown. */
   hasPlaceholder?: boolean;
+  /** The views that show the user's own model best. */
+  views?: readonly ChosenView[] | undefined;
 }
 
 /** A model that the user opened. */
@@ -362,6 +366,7 @@ export class ModelLoader {
         throw error;
       }
       report('drawing', 1);
+      load.views ??= await this.viewsOf(load, read, built.model, signal);
       this.show(load, read, built);
     });
     // A drawing that came with the model may hide parts of it.
@@ -389,7 +394,27 @@ export class ModelLoader {
       this.addresses.set(load.files, address);
     }
     const { variant, asWritten } = choice;
-    return loadModelFiles(load.files!, { ...options, variant, asWritten: asWritten?.length ? asWritten : undefined });
+    const viewsFor = load.isOpened ? 'file' : this.settings.upAxis;
+    const read = await loadModelFiles(load.files!, {
+      ...options,
+      variant,
+      asWritten: asWritten?.length ? asWritten : undefined,
+      viewsFor,
+    });
+    if (read.kind === 'mesh') load.views = read.views;
+    return read;
+  }
+
+  /** The views of the user's own model that is drawn as a scene. */
+  private async viewsOf(
+    { model, isOpened }: Load,
+    read: ReadModel | BuiltInScene,
+    { root }: HatchedModel,
+    signal: AbortSignal,
+  ): Promise<readonly ChosenView[] | undefined> {
+    if (model !== 'file') return undefined;
+    const { sceneTriangles } = await import('../../viewer/views/sceneTriangles.js');
+    return findViews(sceneTriangles(root), isOpened ? read.upAxis : this.settings.upAxis, signal);
   }
 
   /** Shows a placeholder for a large mesh: the mesh itself as far as it can be drawn before baking, or a coarse copy. */
@@ -400,6 +425,7 @@ export class ModelLoader {
     const placeholder = isWhole ? placeholderOf(read, settings) : undefined;
     if (!placeholder) return;
     if ('extras' in read && read.extras) placeholder.extras = read.extras;
+    if (load.model === 'file' && 'views' in read) load.views ??= read.views;
     const { upAxis, lightAzimuth, lightElevation } = settings;
     this.before ??= {
       settings: { upAxis, lightAzimuth, lightElevation },
@@ -469,7 +495,16 @@ export class ModelLoader {
   /** Lights the model, unless it brings its own look. */
   private light({ isLit }: Load, read: ReadModel | BuiltInScene): void {
     if (!isLit || !this.lights || ('drawing' in read && read.drawing)) return;
-    this.lights.light();
+    this.relight(this.lights);
+  }
+
+  /** Lights the model for a view that was found for it, unless the user has put the light elsewhere. */
+  lightForView(): void {
+    if (this.isLightOfPage && this.lights) this.relight(this.lights);
+  }
+
+  private relight(lights: FileLights): void {
+    lights.light();
     const { lightAzimuth, lightElevation } = this.settings;
     this.lit = { lightAzimuth, lightElevation };
   }
@@ -509,10 +544,14 @@ function hiddenOf({ choice, hiddenNames }: Load, names: readonly string[]): numb
 }
 
 /** The title of a model, and the direction to the eye when it is framed, if not the default. */
-const named = (
-  { model }: Load,
+function named(
+  { model, views }: Load,
   { name }: ReadModel | BuiltInScene,
-): { title: string; view?: [number, number, number] } => (model === 'file' ? { title: name } : BUILT_IN_MODELS[model]);
+): { title: string; view?: [number, number, number] } {
+  if (model !== 'file') return BUILT_IN_MODELS[model];
+  const [best] = views ?? [];
+  return best ? { title: name, view: eyeDirection(best.azimuth, best.elevation).toEye.toArray() } : { title: name };
+}
 
 async function fetchFiles(address: string, { signal, onStage }: LoadOptions): Promise<readonly ModelFile[]> {
   const { describeAddress, fetchModel } = await import('../fetch/fetchModel.js');

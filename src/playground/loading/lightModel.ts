@@ -66,7 +66,7 @@ export function lightModel(viewport: Viewport, settings: Settings): SavedView['l
 }
 
 /** The cameras and lights of a model's file, in the space of the upright model. */
-function extrasInWorld({ root, extras }: HatchedModel): ModelExtras {
+export function extrasInWorld({ root, extras }: HatchedModel): ModelExtras {
   const { parent } = root;
   if (!parent) return extras;
   parent.updateWorldMatrix(true, false);

@@ -41,6 +41,7 @@ export const page = {
   },
   openGallery: findElement('open-gallery'),
   surprise: findElement('surprise'),
+  anotherView: findElement('another-view'),
   openKeys: findElement('open-keys'),
   savedLooks: { looks: findElement('open-looks'), views: findElement('open-views') },
   redo: findElement('redo') as HTMLButtonElement,

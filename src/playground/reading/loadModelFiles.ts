@@ -1,8 +1,12 @@
 import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { readingTime } from '../../viewer/files/common/ModelFile.js';
+import { Slices } from '../../viewer/files/common/Slices.js';
+import type { UpAxis } from '../../viewer/files/mesh/findUpAxis.js';
 import type { ModelFile, ReadModel } from '../../viewer/files/readModel.js';
-import type { FineRequest, ModelWorkerMessage } from './model.worker.js';
+import type { ChosenView } from '../../viewer/views/chooseViews.js';
+import type { ViewTriangles } from '../../viewer/views/viewSurface.js';
+import type { FineRequest, ModelWorkerMessage, ViewRequest } from './model.worker.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 
 /** A file that the built page has begun to read before its first script: see tools/building/fetchedAhead.ts. */
@@ -45,6 +49,8 @@ export interface LoadOptions {
   variant?: number | undefined;
   /** Kinds of changes that are not made to the file. */
   asWritten?: readonly FileChangeKind[] | undefined;
+  /** The up axis for which views are wanted, or `file` for that of the file; none are by default. */
+  viewsFor?: UpAxis | 'file' | undefined;
 }
 
 /** Only smaller files are read on the main thread, which is blocked meanwhile and cannot be cancelled. */
@@ -77,7 +83,7 @@ export async function loadModelFiles(
 
 async function readHere(
   files: readonly ModelFile[],
-  { signal, onStage, variant, asWritten }: LoadOptions,
+  { signal, onStage, variant, asWritten, viewsFor }: LoadOptions,
 ): Promise<ReadModel> {
   const bytes = sizeOf(files);
   if (bytes > MAX_BYTES_WITHOUT_WORKER) {
@@ -92,7 +98,55 @@ async function readHere(
   const read = await readModel(files, onStage, PAGE_SURROUNDINGS, variant, asWritten);
   const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
   signal.throwIfAborted();
-  return model;
+  if (!viewsFor) return model;
+  const { withViews } = await import('../../viewer/views/withViews.js');
+  return withViews(model, viewsFor === 'file' ? read.upAxis : viewsFor);
+}
+
+/**
+ * Finds the views that show the triangles of a scene best, in a worker; where none starts, on the main thread.
+ *
+ * @throws the signal's reason
+ */
+export async function findViews(
+  triangles: ViewTriangles,
+  up: UpAxis,
+  signal: AbortSignal,
+): Promise<readonly ChosenView[]> {
+  signal.throwIfAborted();
+  let worker: Worker;
+  try {
+    worker = startWorker();
+  } catch {
+    return viewsHere(triangles, up, signal);
+  }
+  try {
+    return await new Promise((resolve, reject) => {
+      signal.addEventListener('abort', () => reject(signal.reason), { once: true });
+      worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => {
+        if (data.kind === 'views') resolve(data.views);
+        else if (data.kind === 'failed') reject(new Error(data.sentence));
+      });
+      worker.addEventListener('error', (event) => {
+        event.preventDefault();
+        resolve(viewsHere(triangles, up, signal));
+      });
+      worker.postMessage({ triangles, up } satisfies ViewRequest);
+    });
+  } finally {
+    worker.terminate();
+  }
+}
+
+async function viewsHere(triangles: ViewTriangles, up: UpAxis, signal: AbortSignal): Promise<readonly ChosenView[]> {
+  const { chooseViews } = await import('../../viewer/views/chooseViews.js');
+  const slices = new Slices(signal);
+  const task = chooseViews(triangles, up);
+  for (;;) {
+    const step = task.next();
+    if (step.done) return step.value;
+    await slices.next();
+  }
 }
 
 function startWorker(): Worker {
@@ -108,7 +162,7 @@ const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { con
 
 async function readInWorker(
   given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
-  { signal, onStage, onCoarse, most, variant, asWritten }: LoadOptions,
+  { signal, onStage, onCoarse, most, variant, asWritten, viewsFor }: LoadOptions,
   ahead: ReadAhead | undefined,
 ): Promise<ReadModel> {
   const worker = ahead?.worker ?? startWorker();
@@ -143,7 +197,7 @@ async function readInWorker(
           restartTimer();
           onCoarse?.(data.model);
         } else if (data.kind === 'done') resolve(data.model);
-        else reject(new ModelError(data.sentence));
+        else if (data.kind === 'failed') reject(new ModelError(data.sentence));
       };
       ahead?.messages.forEach(hear);
       worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => hear(data));
@@ -151,8 +205,9 @@ async function readInWorker(
         if (isOver) return;
         bytes = sizeOf(files);
         restartTimer();
-        const isPlain = most === undefined && variant === undefined && asWritten === undefined;
-        if (!ahead) worker.postMessage(isPlain ? files : ({ files, most, variant, asWritten } satisfies FineRequest));
+        const isPlain = [most, variant, asWritten, viewsFor].every((one) => one === undefined);
+        const request: FineRequest = { files, most, variant, asWritten, viewsFor };
+        if (!ahead) worker.postMessage(isPlain ? files : request);
       };
       if (given instanceof Promise) given.then(post).catch(reject);
       else post(given);

@@ -1,5 +1,7 @@
+import { runToEnd } from '../../mesh/phases.js';
 import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { toModelError } from '../../viewer/files/common/ModelError.js';
+import type { UpAxis } from '../../viewer/files/mesh/findUpAxis.js';
 import { checkTriangleCount, meshBuffers, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import { needsCoarse } from '../../viewer/files/mesh/plainNormals.js';
 import { withPictures } from '../../viewer/files/pictures/decodePictures.js';
@@ -10,6 +12,9 @@ import {
   type ReadModel,
   readModel,
 } from '../../viewer/files/readModel.js';
+import { type ChosenView, chooseViews } from '../../viewer/views/chooseViews.js';
+import type { ViewTriangles } from '../../viewer/views/viewSurface.js';
+import { withViews } from '../../viewer/views/withViews.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';
 import { coarseModel, isTooFine, simplified, withoutHeavyPictures } from './readLarge.js';
 
@@ -22,6 +27,14 @@ export interface FineRequest {
   variant: number | undefined;
   /** Kinds of changes that are not made to the file. */
   asWritten: readonly FileChangeKind[] | undefined;
+  /** The up axis for which views are wanted, or `file` for that of the file; undefined if none are. */
+  viewsFor: UpAxis | 'file' | undefined;
+}
+
+/** A request for the views that show the triangles of a scene best. */
+export interface ViewRequest {
+  triangles: ViewTriangles;
+  up: UpAxis;
 }
 
 /** A message from the worker: progress, result, or an error's sentence. */
@@ -29,6 +42,7 @@ export type ModelWorkerMessage =
   | { kind: 'stage'; stage: string; bytes: number | undefined }
   | { kind: 'coarse'; model: ReadModel }
   | { kind: 'done'; model: ReadModel }
+  | { kind: 'views'; views: readonly ChosenView[] }
   | { kind: 'failed'; sentence: string };
 
 /** The interval between progress messages, in milliseconds. */
@@ -72,13 +86,18 @@ async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise
   }
 }
 
-addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] | FineRequest>) => {
+addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] | FineRequest | ViewRequest>) => {
   try {
-    const { files, most, variant, asWritten }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
+    if ('triangles' in data) {
+      post({ kind: 'views', views: runToEnd(chooseViews(data.triangles, data.up)) });
+      return;
+    }
+    const { files, most, variant, asWritten, viewsFor }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
       'files' in data ? data : { files: data };
     const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
     const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, variant, asWritten));
-    const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
+    const seen = viewsFor ? withViews(read, viewsFor === 'file' ? read.upAxis : viewsFor) : read;
+    const model = await withPictures(seen, onStage, PAGE_SURROUNDINGS);
     const isLessDrawn = isTooFine(model, most);
     if (most === undefined && model.kind === 'mesh' && needsCoarse(model.mesh)) postCoarse(model);
     const drawn = isLessDrawn ? await lessOf(model, onStage, most) : model;

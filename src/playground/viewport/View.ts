@@ -114,6 +114,11 @@ export class View {
     return this.isFramed ? this.frames : 0;
   }
 
+  /** The direction to the eye when the model is framed. */
+  get firstDirection(): Vector3 {
+    return this.first;
+  }
+
   /** xyz of points on the outer parts of the model. */
   get framedPoints(): ArrayLike<number> {
     return this.points;
@@ -134,8 +139,17 @@ export class View {
     if (this.isFramed && this.framedFor !== this.frameFor(this.aspect)) this.frame();
   }
 
-  private fit(camera: LensCamera): Vector3 {
-    const { framedPoints, first, ...framing } = this.framing;
+  /** Frames the whole model from another direction, as if the user had placed the camera there. */
+  frameFrom(direction: Vector3): void {
+    this.setLens(undefined);
+    this.controls.target.copy(this.fit(this.camera, direction));
+    this.update();
+    this.framedFor = undefined;
+    this.onChange();
+  }
+
+  private fit(camera: LensCamera, from = this.first): Vector3 {
+    const { framedPoints, first, ...framing } = this.framingFrom(from);
     return fitCamera(camera, framedPoints, first, framing);
   }
 
@@ -184,13 +198,17 @@ export class View {
 
   /** The arguments of {@link fitCamera} for the model. */
   get framing(): ModelFraming {
-    const { framedPoints, first } = this;
-    const framing = { framedPoints, first, fill: FILL, ...this.framingForSheet };
+    return this.framingFrom(this.first);
+  }
+
+  private framingFrom(first: Vector3): ModelFraming {
+    const { framedPoints } = this;
+    const framing = { framedPoints, first, fill: FILL, ...this.framingForSheet(first) };
     return { ...framing, shadow: this.shadowOf(framedPoints, framing.first) };
   }
 
-  private get framingForSheet(): Partial<ModelFraming> {
-    const { framedPoints, first, shownSheet, aspect } = this;
+  private framingForSheet(first: Vector3): Partial<ModelFraming> {
+    const { framedPoints, shownSheet, aspect } = this;
     if (shownSheet) return { ...ON_SHEET, part: shownSheet };
     return aspect < UPRIGHT.aspect ? uprightFraming(framedPoints, first, aspect) : {};
   }

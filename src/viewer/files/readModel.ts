@@ -30,6 +30,7 @@ import {
   readMeshPictures,
   type WantedPicture,
 } from './pictures/meshPictures.js';
+import type { ChosenView } from '../views/chooseViews.js';
 import { gunzip, readArchive } from './readArchive.js';
 import { DISPLACEMENT_NOTE, type LoadedScene } from './scenes/LoadedScene.js';
 import { mergeScene } from './scenes/mergeScene.js';
@@ -78,6 +79,8 @@ export interface ReadMesh extends Read {
   stands: UpAxis | undefined;
   /** The result of simplification: the number of triangles in the file, and the maximum deviation in radii. Undefined if not simplified. */
   simplified?: { triangles: number; error: number } | undefined;
+  /** The views that show it best, if they were asked for. */
+  views?: readonly ChosenView[] | undefined;
   /** Precomputed ambient occlusion, as `writeOcclusion` of src/viewer/drawing takes it. */
   occlusion?: Uint8Array<ArrayBuffer> | undefined;
 }

@@ -95,9 +95,20 @@ describe('the command line of draw', () => {
   });
 
   test('the view iso shows the three axes equally long', () => {
-    const { azimuth, elevation } = drawing(...OUT, '--view', 'iso').options.view!;
+    const { azimuth, elevation } = drawing(...OUT, '--view', 'iso').options.view as {
+      azimuth: number;
+      elevation: number;
+    };
     expect(azimuth).toBe(45);
     expect(Math.sin((elevation * Math.PI) / 180)).toBeCloseTo(Math.sqrt(1 / 3), 12);
+  });
+
+  test('the view may be one of those that are found for the model', () => {
+    const ranks = ['auto', ' AUTO2 ', 'auto3', 'auto4'].map((view) => drawing(...OUT, '--view', view).options.view);
+    expect(ranks).toEqual([{ rank: 1 }, { rank: 2 }, { rank: 3 }, { rank: 4 }]);
+    expect(() => drawing(...OUT, '--view', 'auto5')).toThrow(/or auto to auto4, front,/);
+    expect(() => drawing(...OUT, '--light', 'auto')).toThrow(/or front, back,/);
+    expect(drawing(...OUT).options.view).toBeUndefined();
   });
 
   test('- is a model, and a file to write to; a format is an ending', () => {
@@ -150,7 +161,7 @@ test.each([
   [[...OUT, '--view', 'behind'], '--view is "behind", but must be two numbers in quotes'],
   [
     [...OUT, '--view', '0 90.5'],
-    'and degrees above it, from -90 to 90; or front, back, left, right, top, bottom or iso.',
+    'and degrees above it, from -90 to 90; or auto to auto4, front, back, left, right, top, bottom or iso.',
   ],
   [[...OUT, '--light', '25 91'], '--light is "25 91", but must be two numbers'],
   [[...OUT, '--format', ''], '--format is "", but must be glb, gltf, obj'],

@@ -60,6 +60,7 @@ function listen(more: Partial<PageKeys> = {}): unknown[] {
   listenToKeys({
     close: note('close'),
     fillScreen: note('fillScreen'),
+    showAnotherView: note('showAnotherView'),
     openKeys: note('openKeys'),
     showView: (index) => done.push(index),
     undo: note('undo'),
@@ -71,8 +72,8 @@ function listen(more: Partial<PageKeys> = {}): unknown[] {
 
 test('each key does what it is for, and digits show the views that they number', () => {
   const done = listen();
-  for (const key of ['f', '1', '9', '?', 'h', 'F1', 'Escape', 'q', '0']) press(keyEvent(key));
-  expect(done).toEqual(['fillScreen', 0, 8, 'openKeys', 'openKeys', 'openKeys', 'close']);
+  for (const key of ['f', 'v', '1', '9', '?', 'h', 'F1', 'Escape', 'q', '0']) press(keyEvent(key));
+  expect(done).toEqual(['fillScreen', 'showAnotherView', 0, 8, 'openKeys', 'openKeys', 'openKeys', 'close']);
 });
 
 test('Escape closes an open dialog alone', () => {

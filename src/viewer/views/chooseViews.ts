@@ -1,0 +1,171 @@
+import type { UpAxis } from '../files/mesh/findUpAxis.js';
+import { evenPoints } from './evenPoints.js';
+import { frontEvidence, lengthAlong, type MeasuredView } from './frontEvidence.js';
+import { measureView, type ViewMeasures } from './measureView.js';
+import { mirrorPlanes } from './mirrorPlanes.js';
+import { createSeenMap, drawSeenMap } from './seenMap.js';
+import { type ViewSurface, type ViewTriangles, viewSurface } from './viewSurface.js';
+
+/** A direction to the eye, in degrees: around the up axis from the front to the right, and above the horizon. */
+export interface ChosenView {
+  azimuth: number;
+  elevation: number;
+}
+
+/** The directions that are tried first, and the steps to those around the best. */
+const AZIMUTHS = Array.from({ length: 12 }, (_, i) => 30 * i);
+const ELEVATIONS = [15, 30, 45];
+const AROUND = [
+  [-15, 0],
+  [15, 0],
+  [0, -7.5],
+  [0, 7.5],
+];
+/** How many views are chosen, and how far apart they are around the up axis. */
+const MOST_VIEWS = 4;
+const APART = 60;
+
+/** The weight of each measure, per standard deviation among the views of a surface. */
+const WEIGHTS: Readonly<Record<keyof ViewMeasures, number>> = {
+  visibility: 0.35,
+  cover: 0,
+  outline: 0.15,
+  depth: 0.1,
+  relief: 0.35,
+  inner: 0.15,
+  sides: 0.3,
+  backs: -0.6,
+  near: 0,
+};
+/** The weight of the logarithm of the area that a view covers, which is least for a plate that is seen edge-on. */
+const COVER = 1.5;
+/** A measure that hardly varies is no reason: deviations count as at least this share of the mean. */
+const LEAST_DEVIATION = 0.06;
+/** The weight of a view three-quarter from the front and turned to it, and the deviation in degrees that still counts. */
+const FRONT = { weight: 4, tolerance: 25 };
+/** The angle between a view and the front: for what is narrow, such as a face, and for what is long, such as a horse. */
+const THREE_QUARTER = { narrow: 28, long: 50 };
+/** Evidence below this is weak. */
+const CLEAR = 0.4;
+/** How much evidence a clear plane of symmetry is for a direction along it. */
+const MIRRORED = 2.5;
+/** How much evidence a broad side is, by the logarithm of the area that it covers. */
+const BROAD = 0.3;
+/** The weight of a view from the side of +z, if nothing else tells two views apart. */
+const CONVENTION = 0.3;
+/** The weight of an elevation, and the deviation from the best one that costs as much, in degrees. */
+const ABOVE = { weight: 1, tolerance: 15 };
+/** The best elevations by kind of surface, in degrees. */
+const BEST_ELEVATION = { tall: 14, usual: 20, low: 30, terrain: 38, room: 38 };
+
+/** Finds the views that show a surface best: the best one first, the others from other sides. Yields its progress in [0, 1]. */
+export function* chooseViews(triangles: ViewTriangles, up: UpAxis): Generator<number, ChosenView[], void> {
+  const surface = viewSurface(triangles, up);
+  if (surface.areas.length === 0) return [];
+  yield 0.1;
+  const map = createSeenMap(surface);
+  const look = (azimuth: number, elevation: number): MeasuredView => {
+    drawSeenMap(map, surface, azimuth, elevation);
+    return { azimuth, elevation, measures: measureView(map, surface) };
+  };
+  const views: MeasuredView[] = [];
+  const first = AZIMUTHS.length * ELEVATIONS.length;
+  const all = first + MOST_VIEWS * AROUND.length;
+  for (const elevation of ELEVATIONS) {
+    for (const azimuth of AZIMUTHS) {
+      views.push(look(azimuth, elevation));
+      yield Math.min(1, 0.1 + (0.9 * views.length) / all);
+    }
+  }
+  const score = scoreOf(surface, views);
+  for (const { azimuth, elevation } of apart(views, score)) {
+    for (const [around, above] of AROUND) {
+      views.push(look((azimuth + around + 360) % 360, elevation + above));
+      yield Math.min(1, 0.1 + (0.9 * views.length) / all);
+    }
+  }
+  return apart(views, score).map(({ azimuth, elevation }) => ({ azimuth, elevation }));
+}
+
+/** The best views that are far enough apart. */
+function apart(views: readonly MeasuredView[], score: (view: MeasuredView) => number): MeasuredView[] {
+  const sorted = views.map((view) => ({ view, value: score(view) })).sort((a, b) => b.value - a.value);
+  const chosen: MeasuredView[] = [];
+  for (const { view } of sorted) {
+    if (chosen.length === MOST_VIEWS) break;
+    if (chosen.every(({ azimuth }) => angleBetween(azimuth, view.azimuth) >= APART)) chosen.push(view);
+  }
+  return chosen;
+}
+
+const angleBetween = (a: number, b: number): number => Math.abs(((((a - b) % 360) + 540) % 360) - 180);
+
+/** The function that rates a view, by the measures of the views that were tried first. */
+function scoreOf(surface: ViewSurface, views: readonly MeasuredView[]): (view: MeasuredView) => number {
+  const points = evenPoints(surface);
+  const keys = Object.keys(WEIGHTS) as (keyof ViewMeasures)[];
+  const spread = keys.map((key) => {
+    const values = views.map(({ measures }) => measures[key]);
+    const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+    const square = values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length;
+    return { key, mean, deviation: Math.max(Math.sqrt(square), LEAST_DEVIATION * Math.abs(mean), 1e-3) };
+  });
+  const { azimuth: front, clarity } = frontOf(points, views);
+  const length = lengthAlong(points, front);
+  const { narrow, long } = THREE_QUARTER;
+  const ideal = narrow + (long - narrow) * Math.max(0, Math.min(1, length - 0.7));
+  const best = bestElevation(surface, views);
+  const widest = Math.max(...views.map(({ measures }) => measures.cover));
+  return ({ azimuth, elevation, measures }) => {
+    const rated = spread.reduce(
+      (sum, { key, mean, deviation }) => sum + (WEIGHTS[key] * (measures[key] - mean)) / deviation,
+      0,
+    );
+    const off = angleBetween(azimuth, front);
+    const threeQuarter = Math.exp(-(((off - ideal) / FRONT.tolerance) ** 2));
+    const turned = Math.cos((off * Math.PI) / 180);
+    const above = ((elevation - best) / ABOVE.tolerance) ** 2;
+    const covers = COVER * logRatio(measures.cover, widest);
+    const usual = CONVENTION * Math.cos((azimuth * Math.PI) / 180);
+    return rated + covers + usual + clarity * FRONT.weight * (threeQuarter + turned) - ABOVE.weight * above;
+  };
+}
+
+/** The likely front of a surface, and how clear it is, from 0 to 1: along a plane that mirrors it, if there is one. */
+function frontOf(points: Float32Array, views: readonly MeasuredView[]): { azimuth: number; clarity: number } {
+  const { best, clarityAt } = mirrorPlanes(points);
+  const covers = views.slice(0, AZIMUTHS.length).map(({ measures }) => measures.cover);
+  const widest = Math.max(...covers);
+  const directions = [best, best + 180, ...AZIMUTHS].map((azimuth) => {
+    const evidence = frontEvidence(points, views, azimuth);
+    const mirrors = clarityAt(azimuth);
+    const cover = covers[Math.round(azimuth / 30) % AZIMUTHS.length];
+    return { azimuth, evidence, mirrors, rated: evidence + MIRRORED * mirrors + BROAD * logRatio(cover, widest) };
+  });
+  const { azimuth, mirrors, evidence } = directions.reduce((a, b) => (b.rated > a.rated ? b : a));
+  return { azimuth, clarity: Math.max(0, Math.min(1, evidence / CLEAR)) * Math.min(1, 0.4 + mirrors) };
+}
+
+const logRatio = (cover: number, widest: number): number => Math.log((cover + 1e-3) / (widest + 1e-3));
+
+function bestElevation(surface: ViewSurface, views: readonly MeasuredView[]): number {
+  if (isRoom(views)) return BEST_ELEVATION.room;
+  if (isTerrain(surface)) return BEST_ELEVATION.terrain;
+  const height = surface.halfHeight / surface.halfWidth;
+  if (height > 1) return BEST_ELEVATION.tall;
+  return height < 0.35 ? BEST_ELEVATION.low : BEST_ELEVATION.usual;
+}
+
+/** Whether most of what is seen from outside shows its back, or lies beyond the middle since what is nearer is not drawn. */
+function isRoom(views: readonly MeasuredView[]): boolean {
+  const mean = (key: 'backs' | 'near'): number =>
+    views.reduce((sum, { measures }) => sum + measures[key], 0) / views.length;
+  return mean('backs') > 0.4 || mean('near') < -0.15;
+}
+
+/** Whether a surface is low, and most of it faces upwards. */
+function isTerrain({ normals, areas, area, halfHeight, halfWidth }: ViewSurface): boolean {
+  let upward = 0;
+  for (let triangle = 0; triangle < areas.length; triangle++) upward += normals[3 * triangle + 1] * areas[triangle];
+  return halfHeight < 0.5 * halfWidth && Math.abs(upward) > 0.4 * area;
+}

@@ -1,0 +1,117 @@
+import { EDGE, project, projectionOf } from '../../mesh/occlusion/addDirections.js';
+import type { ViewSurface } from './viewSurface.js';
+
+/** Pixels to a side of a map. The unit sphere fills it. */
+export const MAP_SIZE = 128;
+/** Stands for no triangle. */
+export const NOTHING = -1;
+
+type Vector = [x: number, y: number, z: number];
+
+/** What is seen of a surface from afar in a direction. */
+export interface SeenMap {
+  /** The direction to the eye. */
+  towards: Vector;
+  /** Right and up in the map, as unit vectors. */
+  right: Vector;
+  up: Vector;
+  /** The nearest triangle at the middle of each pixel, or {@link NOTHING}. */
+  triangles: Int32Array;
+  /** Its nearness to the eye, in pixels. */
+  nearness: Float32Array;
+  /** x, y in pixels and nearness of each vertex. */
+  projected: Float32Array;
+}
+
+export const createSeenMap = ({ positions }: ViewSurface): SeenMap => ({
+  towards: [0, 0, 1],
+  right: [1, 0, 0],
+  up: [0, 1, 0],
+  triangles: new Int32Array(MAP_SIZE * MAP_SIZE),
+  nearness: new Float32Array(MAP_SIZE * MAP_SIZE),
+  projected: new Float32Array(positions.length),
+});
+
+/** The unit vector to an eye, by azimuth and elevation in degrees as `eyeDirection` of src/viewer/sceneSetup takes them. */
+export function directionTo(azimuth: number, elevation: number): Vector {
+  const [around, above] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
+  return [Math.cos(above) * Math.sin(around), Math.sin(above), Math.cos(above) * Math.cos(around)];
+}
+
+/** Draws a surface as seen from a direction. Backs of single-sided triangles are left out. */
+export function drawSeenMap(map: SeenMap, surface: ViewSurface, azimuth: number, elevation: number): void {
+  const towards = directionTo(azimuth, elevation);
+  const around = (azimuth * Math.PI) / 180;
+  const right: Vector = [Math.cos(around), 0, -Math.sin(around)];
+  const up: Vector = [
+    -towards[1] * Math.sin(around),
+    Math.hypot(towards[0], towards[2]),
+    -towards[1] * Math.cos(around),
+  ];
+  const projection = projectionOf({ right, up, towards }, { center: [0, 0, 0], radius: 1 }, MAP_SIZE);
+  Object.assign(map, { towards, right, up });
+  map.triangles.fill(NOTHING);
+  map.nearness.fill(-Infinity);
+  project(surface.positions, map.projected, projection, 0, surface.positions.length / 3);
+  drawNearest(map, surface);
+}
+
+function drawNearest({ triangles, nearness, projected }: SeenMap, { indices, isSingleSided }: ViewSurface): void {
+  const last = MAP_SIZE - 1;
+  const pixels = MAP_SIZE / 2;
+  for (let triangle = 0, corner = 0; corner < indices.length; triangle++, corner += 3) {
+    const a = 3 * indices[corner];
+    const b = 3 * indices[corner + 1];
+    const c = 3 * indices[corner + 2];
+    const ax = projected[a];
+    const ay = projected[a + 1];
+    const bx = projected[b] - ax;
+    const by = projected[b + 1] - ay;
+    const cx = projected[c] - ax;
+    const cy = projected[c + 1] - ay;
+    const area = bx * cy - by * cx;
+    if (area === 0 || (area < 0 && isSingleSided && isSingleSided[triangle])) continue;
+    const left = Math.max(0, Math.ceil(ax + Math.min(0, bx, cx) - 0.5));
+    const right = Math.min(last, Math.floor(ax + Math.max(0, bx, cx) - 0.5));
+    if (!(left <= right)) continue;
+    const bottom = Math.max(0, Math.ceil(ay + Math.min(0, by, cy) - 0.5));
+    const top = Math.min(last, Math.floor(ay + Math.max(0, by, cy) - 0.5));
+    if (!(bottom <= top)) continue;
+    const perArea = 1 / area;
+    const rightB = cy * perArea;
+    const rightC = -by * perArea;
+    const upB = -cx * perArea;
+    const upC = bx * perArea;
+    const px = left + 0.5 - ax;
+    const py = bottom + 0.5 - ay;
+    let rowB = px * rightB + py * upB;
+    let rowC = px * rightC + py * upC;
+    const az = pixels * projected[a + 2];
+    const bz = pixels * projected[b + 2] - az;
+    const cz = pixels * projected[c + 2] - az;
+    for (let row = bottom; row <= top; row++) {
+      // The first and last pixel of the row at which no weight is below 0.
+      let first = 0;
+      let end = right - left;
+      for (let edge = 0; edge < 3; edge++) {
+        const weight = edge === 0 ? rowB : edge === 1 ? rowC : 1 - rowB - rowC;
+        const step = edge === 0 ? rightB : edge === 1 ? rightC : -rightB - rightC;
+        if (step > 0) first = Math.max(first, Math.ceil((EDGE - weight) / step));
+        else if (step < 0) end = Math.min(end, Math.floor((EDGE - weight) / step));
+        else if (weight < EDGE) end = -1;
+      }
+      let near = az + (rowB + first * rightB) * bz + (rowC + first * rightC) * cz;
+      const perPixel = rightB * bz + rightC * cz;
+      const start = row * MAP_SIZE + left;
+      for (let pixel = start + first; pixel <= start + end; pixel++) {
+        if (near > nearness[pixel]) {
+          nearness[pixel] = near;
+          triangles[pixel] = triangle;
+        }
+        near += perPixel;
+      }
+      rowB += upB;
+      rowC += upC;
+    }
+  }
+}

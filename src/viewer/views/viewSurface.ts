@@ -1,0 +1,181 @@
+import type { UpAxis } from '../files/mesh/findUpAxis.js';
+
+/** Triangles in any pose and size. */
+export interface ViewTriangles {
+  /** xyz of each vertex. */
+  positions: ArrayLike<number>;
+  /** Three per triangle, or null if every three vertices make one. */
+  indices: ArrayLike<number> | null;
+  /** Whether the back of each triangle is not drawn; null if both sides of all are. */
+  isSingleSided: Uint8Array | null;
+}
+
+/** A surface that stands upright, in the unit sphere, with few enough triangles to be looked at from many sides. */
+export interface ViewSurface {
+  positions: Float32Array<ArrayBuffer>;
+  indices: Uint32Array;
+  /** The unit normal of each triangle. */
+  normals: Float32Array;
+  /** The area of each triangle, and of all. */
+  areas: Float32Array;
+  area: number;
+  isSingleSided: Uint8Array | null;
+  /** Half the height, and half the larger horizontal extent. */
+  halfHeight: number;
+  halfWidth: number;
+}
+
+/** Surfaces with more triangles are made coarser. */
+const MANY = 30_000;
+/** Grid cells along the radius of a surface that is made coarser. */
+const CELLS = 48;
+
+/** The rows of the matrices that turn an axis upwards, as the page does. */
+const UPRIGHT: Readonly<Record<UpAxis, readonly [sign: number, axis: 0 | 1 | 2][]>> = {
+  y: [
+    [1, 0],
+    [1, 1],
+    [1, 2],
+  ],
+  z: [
+    [1, 0],
+    [1, 2],
+    [-1, 1],
+  ],
+  x: [
+    [-1, 1],
+    [1, 0],
+    [1, 2],
+  ],
+  '-y': [
+    [-1, 0],
+    [-1, 1],
+    [1, 2],
+  ],
+  '-z': [
+    [1, 0],
+    [-1, 2],
+    [1, 1],
+  ],
+  '-x': [
+    [1, 1],
+    [-1, 0],
+    [1, 2],
+  ],
+};
+
+/** Turns triangles upright, fits them into the unit sphere, and merges vertices of large ones that are close together. */
+export function viewSurface({ positions, indices, isSingleSided }: ViewTriangles, up: UpAxis): ViewSurface {
+  const upright = fitted(positions, UPRIGHT[up]);
+  const count = Math.floor((indices?.length ?? positions.length / 3) / 3);
+  const corners = new Uint32Array(3 * count);
+  for (let corner = 0; corner < corners.length; corner++) corners[corner] = indices ? indices[corner] : corner;
+  const { points, joined } = count > MANY ? clustered(upright, corners) : { points: upright, joined: corners };
+  return measured(points, joined, isSingleSided);
+}
+
+function fitted(positions: ArrayLike<number>, rows: readonly (readonly [number, number])[]): Float32Array<ArrayBuffer> {
+  const upright = new Float32Array(positions.length);
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < 3; k++) {
+    const [sign, axis] = rows[k];
+    for (let i = 0; i < positions.length; i += 3) {
+      const value = sign * positions[i + axis];
+      upright[i + k] = value;
+      if (value < low[k]) low[k] = value;
+      if (value > high[k]) high[k] = value;
+    }
+  }
+  const middle = low.map((value, k) => (value + high[k]) / 2);
+  for (let i = 0; i < upright.length; i++) upright[i] -= middle[i % 3];
+  let square = 0;
+  for (let i = 0; i < upright.length; i += 3) {
+    square = Math.max(square, upright[i] ** 2 + upright[i + 1] ** 2 + upright[i + 2] ** 2);
+  }
+  const scale = square > 0 ? 1 / Math.sqrt(square) : 1;
+  for (let i = 0; i < upright.length; i++) upright[i] *= scale;
+  return upright;
+}
+
+/** Merges the vertices in each cell of a grid. Triangles that lose a corner stay, without area. */
+function clustered(
+  positions: Float32Array,
+  corners: Uint32Array,
+): { points: Float32Array<ArrayBuffer>; joined: Uint32Array } {
+  const side = 2 * CELLS + 2;
+  const numbers = new Int32Array(side ** 3);
+  const clusterOf = new Uint32Array(positions.length / 3);
+  let count = 0;
+  for (let vertex = 0, i = 0; vertex < clusterOf.length; vertex++, i += 3) {
+    const x = ((positions[i] + 1) * CELLS + 0.5) | 0;
+    const y = ((positions[i + 1] + 1) * CELLS + 0.5) | 0;
+    const z = ((positions[i + 2] + 1) * CELLS + 0.5) | 0;
+    const cell = (z * side + y) * side + x;
+    if (numbers[cell] === 0) numbers[cell] = ++count;
+    clusterOf[vertex] = numbers[cell] - 1;
+  }
+  const sizes = new Uint32Array(count);
+  const sums = new Float64Array(3 * count);
+  for (let vertex = 0, i = 0; vertex < clusterOf.length; vertex++, i += 3) {
+    const cluster = clusterOf[vertex];
+    sizes[cluster]++;
+    for (let k = 0; k < 3; k++) sums[3 * cluster + k] += positions[i + k];
+  }
+  const points = new Float32Array(3 * count);
+  for (let i = 0; i < points.length; i++) points[i] = sums[i] / sizes[Math.floor(i / 3)];
+  return { points, joined: corners.map((vertex) => clusterOf[vertex]) };
+}
+
+function measured(
+  positions: Float32Array<ArrayBuffer>,
+  corners: Uint32Array,
+  isSingleSided: Uint8Array | null,
+): ViewSurface {
+  const count = corners.length / 3;
+  const indices = new Uint32Array(corners.length);
+  const normals = new Float32Array(corners.length);
+  const areas = new Float32Array(count);
+  const sides = isSingleSided && new Uint8Array(count);
+  let kept = 0;
+  let area = 0;
+  for (let triangle = 0; triangle < count; triangle++) {
+    const a = 3 * corners[3 * triangle];
+    const b = 3 * corners[3 * triangle + 1];
+    const c = 3 * corners[3 * triangle + 2];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    const length = Math.sqrt(x * x + y * y + z * z);
+    if (!(length > 1e-12)) continue;
+    indices.set(corners.subarray(3 * triangle, 3 * triangle + 3), 3 * kept);
+    normals[3 * kept] = x / length;
+    normals[3 * kept + 1] = y / length;
+    normals[3 * kept + 2] = z / length;
+    areas[kept] = length / 2;
+    if (sides && isSingleSided) sides[kept] = isSingleSided[triangle];
+    area += length / 2;
+    kept++;
+  }
+  let [halfHeight, halfWidth] = [0, 0];
+  for (let i = 0; i < positions.length; i += 3) {
+    halfHeight = Math.max(halfHeight, Math.abs(positions[i + 1]));
+    halfWidth = Math.max(halfWidth, Math.abs(positions[i]), Math.abs(positions[i + 2]));
+  }
+  return {
+    positions,
+    indices: indices.slice(0, 3 * kept),
+    normals: normals.slice(0, 3 * kept),
+    areas: areas.slice(0, kept),
+    area,
+    isSingleSided: sides?.slice(0, kept) ?? null,
+    halfHeight,
+    halfWidth,
+  };
+}
