@@ -8,6 +8,7 @@
  * `npm run metrics -- walls` measures how even a plain wall is in every look, and `walls pen woodcut` in some.
  * `npm run metrics -- orientation` turns triangles of models and measures how many are turned back; `orientation house` of some.
  * `npm run metrics -- sides` compares the surfaces that are seen of glTF files with plain three.js; `sides room` of some, `sides FOLDER` of others, too.
+ * `npm run metrics -- views` finds the views of models whose good side is known, and fetches the packages that hold some of them.
  * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/research/metrics.md anew; `lines bunny pen` draws some.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -24,6 +25,7 @@ import { isKept, requirements } from './requirements.mjs';
 import { describeScenes, missedScenes } from './sceneWindows.mjs';
 import { printSides } from './sides.mjs';
 import { missedValues } from './valueWindows.mjs';
+import { measureAllViews } from './views.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const hand = join(root, '../shared/models/hand_lowres.obj');
@@ -70,7 +72,9 @@ const onlyScenes = wanted[0] === 'values' && wanted.length > 1;
 const onlyOrientation = wanted[0] === 'orientation';
 const onlyIntersections = wanted[0] === 'intersections';
 const onlySides = wanted[0] === 'sides';
-const isOfModels = !(onlyLines || onlyWalls || onlyScenes || onlyOrientation || onlyIntersections || onlySides);
+const onlyViews = wanted[0] === 'views';
+const ofOthers = [onlyLines, onlyWalls, onlyScenes, onlyOrientation, onlyIntersections, onlySides, onlyViews];
+const isOfModels = !ofOthers.includes(true);
 for (const name of isOfModels ? wanted : []) {
   if (!(name in plans) && !['values', 'strokes'].includes(name))
     throw new Error(`tools/metrics/run.mjs: no model "${name}"; there are ${Object.keys(plans).join(', ')}.`);
@@ -89,6 +93,10 @@ if (onlyOrientation) {
   await server.close();
   for (const line of missed) console.log(`MISSED  ${line}`);
   process.exit(missed.length > 0 ? 1 : 0);
+}
+if (onlyViews) {
+  const isGood = await measureAllViews(server).finally(() => server.close());
+  process.exit(isGood ? 0 : 1);
 }
 await server.listen();
 const browser = await chromium.launch(await launchOptions());
