@@ -67,7 +67,7 @@ export async function drawModel(
   if (!model.parts && options.hide.length + options.only.length > 0)
     throw new ModelError(`${name} has only one part, so --hide and --only have nothing to choose from.`);
   tellFaults(name, read, notes, note);
-  const drawnWith = settingsFor(options, link, read.upAxis);
+  const drawnWith = settingsFor(options, link, model.stands ?? read.upAxis);
   chooseClip(model, options, linked, name);
   checkChosen(model, options, name);
   for (const offer of offersOf(model, options, linked)) note(`${name} ${offer}.`);

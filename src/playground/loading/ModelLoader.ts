@@ -394,7 +394,7 @@ export class ModelLoader {
       this.addresses.set(load.files, address);
     }
     const { variant, asWritten } = choice;
-    const viewsFor = load.isOpened ? 'file' : this.settings.upAxis;
+    const viewsFor = load.isOpened || load.isTurned ? 'file' : this.settings.upAxis;
     const read = await loadModelFiles(load.files!, {
       ...options,
       variant,
@@ -407,14 +407,15 @@ export class ModelLoader {
 
   /** The views of the user's own model that is drawn as a scene. */
   private async viewsOf(
-    { model, isOpened }: Load,
+    { model, isOpened, isTurned }: Load,
     read: ReadModel | BuiltInScene,
-    { root }: HatchedModel,
+    { root, stands }: HatchedModel,
     signal: AbortSignal,
   ): Promise<readonly ChosenView[] | undefined> {
     if (model !== 'file') return undefined;
     const { sceneTriangles } = await import('../../viewer/views/sceneTriangles.js');
-    return findViews(sceneTriangles(root), isOpened ? read.upAxis : this.settings.upAxis, signal);
+    const up = isOpened || isTurned ? (stands ?? read.upAxis) : this.settings.upAxis;
+    return findViews(sceneTriangles(root), up, signal);
   }
 
   /** Shows a placeholder for a large mesh: the mesh itself as far as it can be drawn before baking, or a coarse copy. */
@@ -471,7 +472,8 @@ export class ModelLoader {
     };
     if (next.motion && clip !== undefined) next.motion.clip = clip;
     settings.model = model;
-    if ((isOpened && !hasPlaceholder) || load.isTurned) settings.upAxis = read.upAxis;
+    if ((isOpened && !hasPlaceholder) || load.isTurned)
+      settings.upAxis = (model === 'file' && next.stands) || read.upAxis;
     if (viewport.shown.isPlaceholder) viewport.frames.fadeIntoNext();
     viewport.shown.set(next, view, hasPlaceholder);
     // The user may have moved the camera while the placeholder was shown.

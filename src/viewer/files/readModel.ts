@@ -1,4 +1,5 @@
 import { Matrix4, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
+import type { ChosenView } from '../views/chooseViews.js';
 import type { BundledDrawing } from './bundle.js';
 import { toUtf8 } from './common/AsciiReader.js';
 import type { FileChange, FileChangeKind } from './common/fileChanges.js';
@@ -30,7 +31,6 @@ import {
   readMeshPictures,
   type WantedPicture,
 } from './pictures/meshPictures.js';
-import type { ChosenView } from '../views/chooseViews.js';
 import { gunzip, readArchive } from './readArchive.js';
 import { DISPLACEMENT_NOTE, type LoadedScene } from './scenes/LoadedScene.js';
 import { mergeScene } from './scenes/mergeScene.js';
@@ -46,8 +46,8 @@ export type ReadModel = ReadMesh | ReadParts;
 interface Read {
   /** The name of the main file. */
   name: string;
-  /** The usual up axis of the format. */
-  upAxis: 'y' | 'z';
+  /** The up axis: that of the flat side on which the model clearly stands, or else the usual one of the format. */
+  upAxis: UpAxis;
   /** Notes for the caption: what is missing, chosen or left out, and why. The most important comes first. */
   notes: string[];
   /** Details for the longer text that opens on request. */
@@ -171,7 +171,8 @@ async function readMain(
   const isUpLeft = asWritten.includes('up');
   const usual = isUpLeft ? undefined : usualUp(format);
   const upAxis = isUpLeft ? 'y' : format.up;
-  const changes = [...(isUpLeft ? [] : upChange(format)), ...(parsed.changes ?? [])];
+  const upChanges = isUpLeft ? [] : upChange(format);
+  const ofReader = parsed.changes ?? [];
   if ('arrays' in content) {
     const { missing, lostPictures } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
@@ -180,7 +181,7 @@ async function readMain(
     return {
       kind: 'parts',
       ...common,
-      changes: [...changes, ...sidesChange(content.hasBothSides)],
+      changes: [...upChanges, ...ofReader, ...sidesChange(content.hasBothSides)],
       parts: content,
     };
   }
@@ -192,6 +193,7 @@ async function readMain(
   const isTurned = !format.isWindingCertain && !asWritten.includes('orientation');
   const { mesh, turned } = isTurned ? orientMesh(whole) : { mesh: whole, turned: 0 };
   const { centre, radius } = fitModel(mesh);
+  const stands = usual && findUpAxis(mesh.positions, mesh.indices, usual);
   const normals = plainNormals(mesh);
   const { pictures, clear, notes, lostPictures, ...lacks } = await readMeshPictures(
     wanted,
@@ -203,12 +205,12 @@ async function readMain(
   return {
     kind: 'mesh',
     name,
-    upAxis,
+    upAxis: stands ?? upAxis,
     mesh: withClearRanges(mesh, clear),
     pictures,
     plainNormals: normals,
     hidesBacks: normals !== null && hidesBacks(mesh),
-    stands: usual && findUpAxis(mesh.positions, mesh.indices, usual),
+    stands,
     extras: extras && movedExtras(extras, fitOf(centre, radius)),
     missing,
     lostPictures: (parsed.lostPictures ?? 0) + lostPictures,
@@ -220,7 +222,12 @@ async function readMain(
       ...duplicateNote(duplicates),
       ...parsed.details,
     ],
-    changes: [...changes, ...turnedChange(turned), ...sidesChange(hasBothSides && format.isWindingCertain === true)],
+    changes: [
+      ...(stands ? stoodChange(stands) : upChanges),
+      ...ofReader,
+      ...turnedChange(turned),
+      ...sidesChange(hasBothSides && format.isWindingCertain === true),
+    ],
   };
 }
 
@@ -288,6 +295,9 @@ const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | 
 /** The change of a model whose format has another up axis than the page. */
 const upChange = ({ name, up, isUpCertain }: ModelFormat): FileChange[] =>
   up === 'z' && !isUpCertain ? [{ kind: 'up', sentence: `stood up: z is up in ${name} files` }] : [];
+
+/** The change of a model that stands on another side than its format's models usually do. */
+const stoodChange = (up: UpAxis): FileChange[] => [{ kind: 'up', sentence: `stood on its flat side: ${up} is up` }];
 
 /** The result of a format's reader. */
 interface Parsed extends Omit<ReadGltf, 'content'> {

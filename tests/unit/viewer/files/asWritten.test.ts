@@ -33,6 +33,20 @@ describe('changes to what a file says', () => {
     expect([left.upAxis, left.stands, left.changes]).toEqual(['y', undefined, []]);
   });
 
+  test('a model is stood on its flat side if that is clear, unless it is left', async () => {
+    const rim = Array.from({ length: 12 }, (_, i) => (Math.PI * i) / 6);
+    const cone = [
+      'v 0 0 2',
+      'v 0 0 0',
+      ...rim.map((angle) => `v ${Math.cos(angle)} ${Math.sin(angle)} 0`),
+      ...rim.flatMap((_, i) => [`f 1 ${i + 3} ${((i + 1) % 12) + 3}`, `f 2 ${((i + 1) % 12) + 3} ${i + 3}`]),
+    ].join('\n');
+    const { upAxis, changes } = await read('cone.obj', cone);
+    expect([upAxis, changes]).toEqual(['z', [{ kind: 'up', sentence: 'stood on its flat side: z is up' }]]);
+    const left = await read('cone.obj', cone, 'up');
+    expect([left.upAxis, left.changes]).toEqual(['y', []]);
+  });
+
   test('nodes that a glTF file hides are left out, and counted, or shown', async () => {
     const builder = tetrahedron();
     const hidden = { extensions: { KHR_node_visibility: { visible: false } }, children: [2] };
