@@ -168,10 +168,7 @@ async function readMain(
   const file = { bytes, name: shown, findFile, loadDraco, variant, asWritten, hasBothSides };
   const { content, extras, ...parsed } = await parse(format, file);
   const other = otherFormatNote(main, format);
-  const isUpLeft = asWritten.includes('up');
-  const usual = isUpLeft ? undefined : usualUp(format);
-  const upAxis = isUpLeft ? 'y' : format.up;
-  const upChanges = isUpLeft ? [] : upChange(format);
+  const { usual, upAxis, upChanges } = orientationOf(format, asWritten);
   const ofReader = parsed.changes ?? [];
   if ('arrays' in content) {
     const { missing, lostPictures } = parsed;
@@ -295,6 +292,15 @@ const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | 
 /** The change of a model whose format has another up axis than the page. */
 const upChange = ({ name, up, isUpCertain }: ModelFormat): FileChange[] =>
   up === 'z' && !isUpCertain ? [{ kind: 'up', sentence: `stood up: z is up in ${name} files` }] : [];
+
+/** How the models of a format stand, and whether that is a change; as written, y is up. */
+function orientationOf(
+  format: ModelFormat,
+  asWritten: readonly FileChangeKind[],
+): { usual: UsualUp | undefined; upAxis: 'y' | 'z'; upChanges: FileChange[] } {
+  if (asWritten.includes('up')) return { usual: undefined, upAxis: 'y', upChanges: [] };
+  return { usual: usualUp(format), upAxis: format.up, upChanges: upChange(format) };
+}
 
 /** The change of a model that stands on another side than its format's models usually do. */
 const stoodChange = (up: UpAxis): FileChange[] => [{ kind: 'up', sentence: `stood on its flat side: ${up} is up` }];
