@@ -1,4 +1,18 @@
-import { Box3, type Camera, Frustum, type InstancedMesh, Layers, type Material, Matrix4, type Mesh, Object3D, Sphere, Vector3, type Vector4, type WebGLRenderer } from 'three';
+import {
+  Box3,
+  type Camera,
+  Frustum,
+  type InstancedMesh,
+  Layers,
+  type Material,
+  Matrix4,
+  type Mesh,
+  Object3D,
+  Sphere,
+  Vector3,
+  type Vector4,
+  type WebGLRenderer,
+} from 'three';
 import { deforms, morphsEachInstance } from '../deformation/canDeform.js';
 import type { Deformation } from '../deformation/Deformation.js';
 import type { Deformations } from '../deformation/Deformations.js';

@@ -128,7 +128,9 @@ describe('times are those of the benchmarks', () => {
     const flips = /Flips under a 0\.5° turn of the light.*?\|.*?\| ([\d.]+) \(\w+\) \| ([\d.]+) \(\w+\)/;
     const [anchored, engraved] = numbersIn('docs/research/metrics.md', flips);
     expect(numbersIn('docs/research/methods.md', /worst case is ([\d.]+) times the flips/)).toEqual([anchored]);
-    expect(numbersIn('docs/engraving.md', /up to ([\d.]+) times as many pixels change/)).toEqual([rounded(engraved, 1)]);
+    expect(numbersIn('docs/engraving.md', /up to ([\d.]+) times as many pixels change/)).toEqual([
+      rounded(engraved, 1),
+    ]);
   });
 
   test('of techniques beside hatching', () => {
