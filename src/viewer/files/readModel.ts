@@ -166,7 +166,8 @@ async function readMain(
     return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
   };
   const file = { bytes, name: shown, findFile, loadDraco, variant, asWritten, hasBothSides };
-  const { content, extras, ...parsed } = await parse(format, file);
+  const isTurned = !format.isWindingCertain && !asWritten.includes('orientation');
+  const { content, extras, turned: turnedParts, ...parsed } = await parse(format, file, isTurned);
   const other = otherFormatNote(main, format);
   const { usual, upAxis, upChanges } = orientationOf(format, asWritten);
   const ofReader = parsed.changes ?? [];
@@ -175,10 +176,11 @@ async function readMain(
     const notes = [...missingNote(missing), ...parsed.notes];
     const details = [...missingDetail(missing), ...other, ...brokenNote(parsed.broken), ...parsed.details];
     const common = { name, upAxis, usual, notes, details, missing, lostPictures, extras };
+    const sides = sidesChange(hasBothSides && content.hasBothSides);
     return {
       kind: 'parts',
       ...common,
-      changes: [...upChanges, ...ofReader, ...sidesChange(content.hasBothSides)],
+      changes: [...upChanges, ...ofReader, ...turnedChange(turnedParts), ...sides],
       parts: content,
     };
   }
@@ -187,7 +189,6 @@ async function readMain(
   const merged = 'isObject3D' in content ? mergeScene(content, wanted, undefined, parsed.notes) : content;
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh: whole, broken } = cleanMesh(distinct);
-  const isTurned = !format.isWindingCertain && !asWritten.includes('orientation');
   const { mesh, turned } = isTurned ? orientMesh(whole) : { mesh: whole, turned: 0 };
   const { centre, radius } = fitModel(mesh);
   const stands = usual && findUpAxis(mesh.positions, mesh.indices, usual);
@@ -308,16 +309,21 @@ const stoodChange = (up: UpAxis): FileChange[] => [{ kind: 'up', sentence: `stoo
 /** The result of a format's reader. */
 interface Parsed extends Omit<ReadGltf, 'content'> {
   content: PlainMesh | GltfParts | Object3D;
+  /** The number of triangles that were turned because they faced inward. */
+  turned: number;
 }
 
-async function parse(format: ModelFormat, file: FormatFile): Promise<Parsed> {
+/** @param turns whether triangles of a scene that stays one are turned */
+async function parse(format: ModelFormat, file: FormatFile, turns: boolean): Promise<Parsed> {
   const read = await format.read(file);
-  if ('content' in read) return read;
+  if ('content' in read) return { ...read, turned: 0 };
   if (!('root' in read) || read.root.animations.length === 0) return parsedOf(read);
   const notes = notesOn(read);
   const { readMoving } = await import('./scenes/readMoving.js');
-  const moving = await readMoving(read.root, file.name, file.findFile);
-  if (moving) return { ...moving, notes: [...new Set([...moving.notes, ...notes])], changes: read.changes ?? [] };
+  const { moving, turned } = await readMoving(read.root, file.name, file.findFile, turns);
+  if (moving) {
+    return { ...moving, turned, notes: [...new Set([...moving.notes, ...notes])], changes: read.changes ?? [] };
+  }
   return parsedOf({ ...read, notes: ['shown without its motion'] });
 }
 
@@ -327,7 +333,7 @@ function parsedOf(read: NotedMesh | LoadedScene): Parsed {
   const { missing = [] }: Partial<LoadedScene> = isScene ? read : {};
   const content = isScene ? read.root : read.mesh;
   const changes = isScene ? (read.changes ?? []) : [];
-  return { content, broken: 0, notes: isScene ? notesOn(read) : read.notes, details: [], changes, missing };
+  return { content, broken: 0, turned: 0, notes: isScene ? notesOn(read) : read.notes, details: [], changes, missing };
 }
 
 /** Notes for the caption on a scene: the reader's, and those on objects that are not drawn. */

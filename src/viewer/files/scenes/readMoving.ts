@@ -2,7 +2,6 @@ import {
   type BufferAttribute,
   type BufferGeometry,
   ClampToEdgeWrapping,
-  DoubleSide,
   type InterleavedBufferAttribute,
   type Interpolant,
   InterpolateDiscrete,
@@ -34,6 +33,7 @@ import { type ReadGltf, readParts } from '../gltf/readGltf.js';
 import { farCentre } from '../mesh/fitModel.js';
 import { normalizeNormals } from '../mesh/PlainMesh.js';
 import type { PictureLink } from '../pictures/meshPictures.js';
+import { orientScene } from './orientScene.js';
 
 const noDraco: DracoSource = () => Promise.reject(new ModelError('A scene has nothing packed with Draco.'));
 
@@ -44,15 +44,23 @@ const MAX_VERTICES = 300_000;
 const MAX_DISTANCE = 1000;
 
 /**
- * Reads an animated scene of one of three's loaders as the document of a glTF file, so that it is checked and drawn in the same way. The
- * scene is not changed; its arrays become those of the result.
+ * Reads an animated scene of one of three's loaders as the document of a glTF file, so that it is checked and drawn in the same way, from
+ * both sides. Its arrays become those of the result.
  *
  * @param root with its clips
- * @returns undefined if nothing moves, or the motion cannot be shown
+ * @param turns whether triangles that face the wrong way are turned
+ * @returns `moving` is undefined if nothing moves, or the motion cannot be shown; `turned` is the number of triangles that were turned
  */
-export async function readMoving(root: Object3D, name: string, findFile: FindFile): Promise<ReadGltf | undefined> {
-  if (countVertices(root) > MAX_VERTICES || isFar(root)) return undefined;
+export async function readMoving(
+  root: Object3D,
+  name: string,
+  findFile: FindFile,
+  turns = false,
+): Promise<{ moving: ReadGltf | undefined; turned: number }> {
+  let turned = 0;
+  if (countVertices(root) > MAX_VERTICES || isFar(root)) return { moving: undefined, turned };
   try {
+    if (turns) turned = orientScene(root);
     const { document, values, embedded } = new SceneDocument(root);
     const findPicture: FindFile = async (uri) => {
       const inside = embedded.get(uri);
@@ -60,10 +68,11 @@ export async function readMoving(root: Object3D, name: string, findFile: FindFil
     };
     const chosen = chooseScene(document, name);
     const { plain, parts, read } = await readParts(document, chosen, values, name, findPicture, noDraco);
-    return parts && plain.json.animations.length > 0 ? { ...read, content: parts } : undefined;
+    const moves = parts && plain.json.animations.length > 0;
+    return { moving: moves ? { ...read, content: { ...parts, hasBothSides: true } } : undefined, turned };
   } catch {
     // The scene is then shown at rest.
-    return undefined;
+    return { moving: undefined, turned };
   }
 }
 
@@ -244,12 +253,11 @@ class SceneDocument {
   private materialOf(material: MeshPhongMaterial): number {
     const known = this.materials.get(material);
     if (known !== undefined) return known;
-    const { name, color, opacity, transparent, alphaTest, side, map } = material;
+    const { name, color, opacity, transparent, alphaTest, map } = material;
     const factor = [...(color?.toArray() ?? [1, 1, 1]), opacity];
     const texture = map?.image ? this.textureOf(map) : undefined;
     const plain: GltfMaterial = {
       name,
-      doubleSided: side === DoubleSide,
       ...(transparent ? { alphaMode: 'BLEND' } : alphaTest > 0 && { alphaMode: 'MASK', alphaCutoff: alphaTest }),
       pbrMetallicRoughness: {
         ...(factor.every(Number.isFinite) && { baseColorFactor: factor }),

@@ -101,7 +101,7 @@ describe("a model of three's other loaders that moves", () => {
     // Of a camera that is not there.
     clip.tracks.push(new NumberKeyframeTrack('eye.fov', [0, 1], [30, 60]));
     root.animations = [clip];
-    const moving = (await readMoving(root, 'tube.fbx', async () => undefined))!;
+    const moving = (await readMoving(root, 'tube.fbx', async () => undefined)).moving!;
     expect(moving.notes).toEqual(['1 damaged animation track left out']);
     const parts = moving.content as GltfParts;
     // As a worker posts them.
@@ -132,7 +132,7 @@ test('a track names a morph target by its number, too, and one that does not mov
   clip.tracks = [new NumberKeyframeTrack('tube.morphTargetInfluences[0]', [0, 1], [0, 0.8])];
   root.animations = [clip];
   const expected = placesAt(root, [clip], [0, 0.5]);
-  const moving = (await readMoving(root, 'tube.fbx', async () => undefined))!;
+  const moving = (await readMoving(root, 'tube.fbx', async () => undefined)).moving!;
   expect(moving.notes).toEqual([]);
   const scene = await parseGltf(moving.content as GltfParts);
   const shown = placesAt(scene.root, scene.animations, [0, 0.5]).flat();
