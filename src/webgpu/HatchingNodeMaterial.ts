@@ -68,15 +68,7 @@ import { tsl, type Value } from './nodes/base/values.js';
 import { fadingAt } from './nodes/chunks/fading.js';
 import { paper, printedColor } from './nodes/chunks/ink.js';
 import { readFaceNormals } from './nodes/chunks/screenGradient.js';
-import {
-  filledColor,
-  localDarkness,
-  ownColor,
-  plainColor,
-  shadedTone,
-  tonedColor,
-  unshadowedTone,
-} from './nodes/chunks/tone.js';
+import { filledColor, localDarkness, shadedTone, unshadowedTone } from './nodes/chunks/tone.js';
 
 const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
@@ -344,18 +336,6 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return around && (new EnvironmentNode(around) as unknown as ReturnType<NodeMaterial['setupEnvironment']>);
   }
 
-  /** Keeps the colour without the map beside that of the surface: the tone reads the map without fine details. @internal */
-  override setupDiffuseColor(builder: NodeBuilder): void {
-    const { colorNode } = this;
-    if (this.map && !colorNode) {
-      this.colorNode = ownColor as unknown as typeof colorNode;
-      super.setupDiffuseColor(builder);
-      this.colorNode = null;
-      plainColor.assign(diffuseColor.xyz);
-    }
-    super.setupDiffuseColor(builder);
-  }
-
   /** The normal that tone is computed from. @internal */
   override setupNormal(): ReturnType<NodeMaterial['setupNormal']> {
     if (this.toneNormal !== 'face') return super.setupNormal();
@@ -398,12 +378,6 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return this as unknown as HatchingMaterialProperties;
   }
 
-  /** The colour that becomes tone. */
-  private get tonedColor(): Value {
-    const { map, colorNode } = this;
-    return map && !colorNode ? tonedColor(plainColor, diffuseColor.xyz, map.channel) : diffuseColor.xyz;
-  }
-
   private get drawnToneModel(): ToneModel | 'shadow' {
     return this.isHatchingShadowMaterial ? 'shadow' : this.toneModel;
   }
@@ -425,7 +399,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const { look, technique, drawnToneModel: toneModel } = this;
     const emitted = materialEmissive;
     const radiance = lit.radiance.add(lightLuminance(emitted)).toVar();
-    const surface = { ...lit, radiance, darkness: localDarkness(this.tonedColor, emitted) };
+    const surface = { ...lit, radiance, darkness: localDarkness(diffuseColor.xyz, emitted) };
     const rules = { toneModel, curve: curveOf(this.toneCurve) };
     const fading = fadingAt(positionView, pixelFromBelow()).toVar();
     const tone = shadedTone(surface, rules).mul(fading).toVar();

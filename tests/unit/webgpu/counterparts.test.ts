@@ -144,6 +144,8 @@ const OTHER_FUNCTIONS: Record<string, readonly string[]> = {
   // Only WebGLRenderer draws debug views.
   'techniques/lines/readCut.glsl': ['fieldUv'],
   'techniques/lines/readForm.glsl': ['fieldUv'],
+  // Nodes read maps as three.js samples them.
+  'chunks/localColor.glsl': ['tonedColor'],
   // Only the techniques of triangles read a single place.
   'chunks/thresholdMap.glsl': ['thresholdsAt', 'thresholdAt'],
   // Only the techniques of triangles average three rotations.
@@ -154,8 +156,8 @@ const OTHER_FUNCTIONS: Record<string, readonly string[]> = {
 
 /** Uniforms that one side lacks, by chunk. */
 const OTHER_UNIFORMS: Record<string, readonly string[]> = {
-  // three.js transforms the coordinates of a map in the vertex shader.
-  'chunks/localColor.glsl': ['mapTransform'],
+  // Nodes read maps as three.js samples them.
+  'chunks/localColor.glsl': ['mapBlur'],
   // GLSL reads it in the chunk of the layout.
   'deformation.vert': ['triangleVertices'],
   // three.js' own uniform, which nodes read in sceneDepth; and only WebGPURenderer blends linear light on a canvas.
@@ -176,6 +178,8 @@ const OTHER_CONSTANTS: Record<string, readonly string[]> = {
   'chunks/shadowSearch.glsl': ['RINGS'],
   // A property of three.js' versions.
   'outlines/sceneDepth.glsl': ['REVERSES_FLOATS'],
+  // Nodes read maps as three.js samples them.
+  'chunks/localColor.glsl': ['OPAQUE_TEXEL'],
   // The sum of the three numbers of HASH_STEP.
   'techniques/strokes/simplexLattice.glsl': ['HASH_STEPS'],
 };
@@ -210,16 +214,8 @@ test('no chunk has two counterparts', () => {
 test('nodes read no uniform that no shader declares', () => {
   const declared = chunks.flatMap((chunk) => uniformsOf(readFileSync(`shaders/${chunk}`, 'utf8')));
   const strays = files.flatMap(uniformsOfNodes).filter((name) => !declared.includes(name));
-  // They are defines in GLSL, declared by three.js or derived from its own uniforms; and only WebGPURenderer blends linear light on a
-  // canvas.
-  expect(unique(strays).sort()).toEqual([
-    'canvasBlend',
-    'isDeformed',
-    'isInstanced',
-    'map',
-    'mapTransform',
-    'viewToObject',
-  ]);
+  // They are defines in GLSL, or derived from three.js' own uniforms; and only WebGPURenderer blends linear light on a canvas.
+  expect(unique(strays).sort()).toEqual(['canvasBlend', 'isDeformed', 'isInstanced', 'viewToObject']);
 });
 
 describe.each(chunks.filter(hasCounterpart))('the counterpart of %s', (chunk) => {

@@ -76,6 +76,10 @@ export const cases: readonly SceneCase[] = [
   },
   { name: 'a map of colours', show: (kit) => drawn(kit, { map: colors(), colorFill: 1, colorHatching: 0.6 }) },
   {
+    name: 'planned values of a map',
+    show: (kit) => drawn(kit, { map: colors(), composition: { exposure: 'fit' }, colorFill: 0, colorHatching: 0.8 }),
+  },
+  {
     name: 'holes of an alpha map',
     show: (kit) =>
       drawn(kit, {

@@ -47,7 +47,6 @@ export interface TextureValue extends Value {
   load(texel: Value): Value;
   sample(coordinates: Value): TextureValue;
   level(level: Input): TextureValue;
-  bias(levels: Input): TextureValue;
 }
 
 interface Branches {
@@ -86,8 +85,6 @@ interface Shading
   /** A variable that all code of a shader stage can read. */
   property(type: string, name: string): Value;
   varyingProperty(type: string, name: string): Value;
-  /** The coordinates of maps. */
-  uv(channel: number): Value;
   readonly batchIndirectIndex: Value;
   readonly normalFlat: Value;
   readonly normalLocal: Value;

@@ -1,17 +1,16 @@
 /** From radiance and colour of a surface to its tone. */
-import { DataTexture } from 'three';
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
 import { TONE_CURVE_SPANS } from '../../../material/fitToneCurve.js';
 import { TONE_CURVES } from '../../../material/shaders/defineNames.js';
 import type { ReceivedShadow } from '../base/lights.js';
 import { lightLuminance } from '../base/maths.js';
-import { hatchingElement, hatchingTexture, hatchingUniform } from '../base/uniforms.js';
-import { threeNodes, tsl, type Value } from '../base/values.js';
+import { hatchingElement, hatchingUniform } from '../base/uniforms.js';
+import { tsl, type Value } from '../base/values.js';
 import { hollowness } from './occlusion.js';
 import { shadowTone } from './softShadows.js';
 
-const { clamp, dot, float, floor, max, min, mix, pow, property, select, step, uv, vec3 } = tsl;
-const { NO_LIGHT, OPAQUE_TEXEL } = TONE_CONSTANTS;
+const { clamp, dot, float, floor, max, min, mix, pow, select, step, vec3 } = tsl;
+const { NO_LIGHT } = TONE_CONSTANTS;
 
 /** The lighting of a surface at a fragment. */
 export interface HatchingSurface {
@@ -132,26 +131,6 @@ export function localDarkness(color: Value, emitted: Value): Value {
   const planned = dot(valueBends, max(valueKnots.sub(light), 0));
   const unlit = clamp(lightLuminance(emitted), 0, 1).oneMinus();
   return colorHatching.mul(mix(min(colorExposure.mul(light), 1).oneMinus(), planned, colorFilter.w)).mul(unlit);
-}
-
-/** The colour of a surface without its map, and that times the colours of its vertices. */
-export const ownColor = /* @__PURE__ */ threeNodes.materialReference('color', 'color');
-export const plainColor = /* @__PURE__ */ property('vec3', 'plainColor');
-
-const mapBlur = /* @__PURE__ */ hatchingUniform('mapBlur', 'float');
-const mapTransform = /* @__PURE__ */ hatchingUniform('mapTransform', 'mat3');
-const map = /* @__PURE__ */ hatchingTexture('map', /* @__PURE__ */ new DataTexture(new Uint8Array(4), 1, 1));
-
-/**
- * The colour that becomes tone: a map without details that are finer than strokes can show; where it is cut out, as it is.
- *
- * @param plain the colour without the map
- * @param channel of the map's coordinates
- */
-export function tonedColor(plain: Value, seen: Value, channel: number): Value {
-  const at = mapTransform.mul(vec3(uv(channel), 1)).xy;
-  const coarse = map.sample(at).bias(mapBlur).toVar();
-  return select(mapBlur.greaterThan(0).and(coarse.w.greaterThanEqual(OPAQUE_TEXEL)), plain.mul(coarse.xyz), seen);
 }
 
 export const filledColor = (color: Value): Value => mix(vec3(1), color, colorFill);
