@@ -4,6 +4,7 @@ import { prepareWithForm } from '../material/geometry/prepareHatchingGeometry.js
 import type { JointForm } from '../mesh/bake/bakeJointForms.js';
 import { maxWorkers } from '../worker/TaskOptions.js';
 import { cornerCount, type GeometryPlan } from './geometryPlans.js';
+import { bakeGroups } from './jointForms.js';
 
 /** The number of corners that are baked at a time, unless one geometry has more: a bake takes some hundred bytes per corner. */
 const MAX_CORNERS = 6_000_000;
@@ -38,7 +39,6 @@ export async function bakeGeometries(
   if (grouped.size === 0) return bakeEach(plans, new Map(), options, listeners);
   const share = (FORM_SHARE * cornersOf(grouped.keys())) / Math.max(1, cornersOf(plans.keys()));
   const [onForm, onBake] = progressParts(options.onProgress, [share, 1 - share]);
-  const { bakeGroups } = await import('./jointForms.js');
   const forms = await bakeGroups(grouped, { ...options, onProgress: onForm });
   return bakeEach(plans, forms, { ...options, onProgress: onBake }, listeners);
 }

@@ -20,9 +20,7 @@ export function hatchScene(
     const resolved = resolveOptions(given);
     const call = beginCall(root, resolved);
     // What the meshes are going to need is fetched beside the code that hatches them. Failures are left to who needs it.
-    const { length } = call.choice.chosen;
-    if (length > 0) makers.fetchAhead(resolved).catch(() => {});
-    if (length > 1) import('./jointForms.js').catch(() => {});
+    if (call.choice.chosen.length > 0) makers.fetchAhead(resolved).catch(() => {});
     return call.promised(hatch(call, given, makers));
   } catch (error) {
     return Promise.reject(error);

@@ -13,6 +13,7 @@ import { failure } from './chooseMeshes.js';
 import { dressLooks } from './dressLooks.js';
 import { type FormGroup, type GeometryPlan, geometryPlans, type OldLook, type PlannedMesh } from './geometryPlans.js';
 import type { BakedGeometry, HatchingCall, MadeLooks, OldLooks } from './HatchingCall.js';
+import { formGroups } from './jointForms.js';
 import { crossingMaterials, LaterForms } from './LaterForms.js';
 import { MaterialReplacer } from './MaterialReplacer.js';
 import { makeMaps } from './makeMaps.js';
@@ -183,13 +184,9 @@ async function planLooks(
   const planned = await runSliced(planMeshes(displaced, replacer), { signal, around: asBefore });
   call.takeEdits(replacer.added);
   const plans = geometryPlans(planned, options);
-  const formed = [...plans.values()].filter(({ form }) => form);
-  if (formed.length === 0) return { replacer, planned, plans, forms: null };
-  if (formed.length > 1) {
-    const { formGroups } = await import('./jointForms.js');
-    const groups = await runSliced(formGroups(planned, plans), { signal });
-    for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
-  }
+  if ([...plans.values()].every(({ form }) => !form)) return { replacer, planned, plans, forms: null };
+  const groups = await runSliced(formGroups(planned, plans), { signal });
+  for (const [geometry, plan] of plans) plan.group = groups.get(geometry);
   const crossing = crossingMaterials(planned, options);
   const onFormed = (source: BufferGeometry, geometry: BufferGeometry, plan: GeometryPlan): void => {
     const formed = new Map([[source, geometry]]);
