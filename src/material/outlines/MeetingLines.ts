@@ -9,7 +9,7 @@ import {
 } from '../../mesh/bake/outlineLayout.js';
 import { paddedWords } from '../../mesh/bake/pullLayout.js';
 import { OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
-import type { IntersectingOutlines } from './IntersectingOutlines.js';
+import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
 import { type OutlinePart, unlistedPart } from './OutlineParts.js';
 import { isScaledToNothing } from './surfaceRules.js';
 
@@ -95,7 +95,11 @@ export class MeetingLines {
     for (let i = 0; i < this.pairs.length; i++) {
       const pair = this.pairs[i];
       const isDrawn =
-        pair.points !== null && pair.points.length > 0 && this.isCurrent(pair) && isShown(pair.other.mesh!);
+        pair.points !== null &&
+        pair.points.length > 0 &&
+        wantsIntersections(pair.other) &&
+        this.isCurrent(pair) &&
+        isShown(pair.other.mesh!);
       if (isDrawn !== pair.isDrawn) isSame = false;
       pair.isDrawn = isDrawn;
       isAny ||= isDrawn;
