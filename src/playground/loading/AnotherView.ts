@@ -5,7 +5,7 @@ import { eyeDirection } from '../../viewer/sceneSetup/placeCamera.js';
 import { type CameraView, lightOf } from '../../viewer/settings/CameraView.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { sceneTriangles } from '../../viewer/views/sceneTriangles.js';
-import { findViews } from '../reading/loadModelFiles.js';
+import { findViews } from '../reading/findViews.js';
 import type { Session } from '../session/Session.js';
 import { extrasInWorld } from './lightModel.js';
 

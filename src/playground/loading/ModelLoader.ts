@@ -16,7 +16,7 @@ import type { CodeModel } from '../code/modelSource.js';
 import { BUILT_IN_MODELS } from '../models/models.js';
 import { setPageState } from '../page/elements.js';
 import { page } from '../page/page.js';
-import { findViews, type LoadOptions, loadModelFiles } from '../reading/loadModelFiles.js';
+import { type LoadOptions, loadModelFiles } from '../reading/loadModelFiles.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import { afterFrame } from '../viewport/graphicsCard.js';
 import type { Viewport } from '../viewport/Viewport.js';
@@ -413,7 +413,10 @@ export class ModelLoader {
     signal: AbortSignal,
   ): Promise<readonly ChosenView[] | undefined> {
     if (model !== 'file') return undefined;
-    const { sceneTriangles } = await import('../../viewer/views/sceneTriangles.js');
+    const [{ sceneTriangles }, { findViews }] = await Promise.all([
+      import('../../viewer/views/sceneTriangles.js'),
+      import('../reading/findViews.js'),
+    ]);
     const up = isOpened || isTurned ? (stands ?? read.upAxis) : this.settings.upAxis;
     return findViews(sceneTriangles(root), up, signal);
   }
