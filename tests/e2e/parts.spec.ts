@@ -113,7 +113,9 @@ test('hidden parts are in no saved file', { tag: '@all' }, async ({ page }) => {
   expect(meanInk(await savePicture(page))).toBeLessThan(0.5 * ink);
 });
 
-test('parts of a scene that moves are hidden at once, with their shadows and outlines', async ({ page }) => {
+test('parts of a scene that moves are hidden at once, with their shadows and outlines', { tag: '@all' }, async ({
+  page,
+}) => {
   const builder = tetrahedron();
   const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR', { min: [0], max: [1] });
   const output = builder.accessor(Float32Array.of(0, 4, 0, 0, 4.2, 0), 'VEC3');
@@ -141,7 +143,9 @@ test('parts of a scene that moves are hidden at once, with their shadows and out
   expect(changedShare(arm, await readDrawing(page))).toBe(0);
 });
 
-test('thousands of parts are searched and hidden by keys, and few of them are in the document', async ({ page }) => {
+test('thousands of parts are searched and hidden by keys, and few of them are in the document', {
+  tag: '@all',
+}, async ({ page }) => {
   await open(page, manyParts(2000));
   await expect(fold(page)).toHaveText('Parts: 2,000');
   expect(await page.locator('.part').count()).toBeLessThan(40);
@@ -169,7 +173,7 @@ test('thousands of parts are searched and hidden by keys, and few of them are in
   await ready(page);
 });
 
-test('the part that is pointed at shows in the picture', async ({ page }) => {
+test('the part that is pointed at shows in the picture', { tag: '@all' }, async ({ page }) => {
   await open(page, table);
   const whole = await readDrawing(page);
   const frames = await page.evaluate(() => window.__playground!.framesDrawn);
