@@ -1,0 +1,37 @@
+import { BoxGeometry } from 'three';
+import { describe, expect, test } from 'vitest';
+import type { PlainMesh } from '../../../../src/viewer/files/mesh/PlainMesh.js';
+import type { ReadMesh } from '../../../../src/viewer/files/readModel.js';
+import { withViews } from '../../../../src/viewer/views/withViews.js';
+
+/** Walls, floor and ceiling that face inward. */
+function room(): PlainMesh {
+  const { attributes, index } = new BoxGeometry(2, 1, 2).scale(-1, 1, 1);
+  return {
+    positions: Float32Array.from(attributes.position.array),
+    normals: null,
+    colors: null,
+    indices: Uint32Array.from(index!.array),
+  };
+}
+
+const firstElevation = (mesh: PlainMesh): number => {
+  const read = withViews({ kind: 'mesh', mesh, upAxis: 'y' } as ReadMesh, 'y') as ReadMesh;
+  return read.views![0].elevation;
+};
+
+describe('a room is seen from above through what is not drawn', () => {
+  test('where all of its surfaces are one-sided', () => {
+    expect(firstElevation({ ...room(), isOneSided: true })).toBeGreaterThanOrEqual(30);
+  });
+
+  test('where ranges of it are', () => {
+    const ranges = [0, 18].map((start) => ({ start, count: 18, picture: -1, isOneSided: true }));
+    expect(firstElevation({ ...room(), ranges })).toBeGreaterThanOrEqual(30);
+  });
+});
+
+test('a model in parts has no views yet', () => {
+  const parts = { kind: 'parts' } as never;
+  expect(withViews(parts, 'y')).toBe(parts);
+});
