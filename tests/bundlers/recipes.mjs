@@ -109,7 +109,7 @@ export const recipes = [
     packages: { webpack: '5', 'webpack-cli': '*' },
     files: { 'out/index.html': html('./main.js'), 'loading.mjs': webpackLoading },
     loading: ['npx', 'webpack', '--config', 'loading.mjs'],
-    most: { atOnce: 30_000, later: 106_000, requests: 5, waves: 1 },
+    most: { atOnce: 30_000, later: 97_000, requests: 5, waves: 1 },
     commands: [['npx', 'webpack', '--mode', 'production', '--entry', './plain.js', '--output-path', 'out']],
     folder: 'out',
   },
@@ -122,7 +122,7 @@ export const recipes = [
       ...['--external:three', '--outdir=loading'],
     ],
     // It loads at once what other exports of the package share with what comes later.
-    most: { atOnce: 95_000, later: 57_000, requests: 4, waves: 1 },
+    most: { atOnce: 87_000, later: 54_000, requests: 4, waves: 1 },
     commands: [['npx', 'esbuild', 'plain.js', '--bundle', '--minify', '--splitting', '--format=esm', '--outdir=out']],
     folder: 'out',
   },
@@ -135,7 +135,7 @@ export const recipes = [
       ...['--plugin', 'node-resolve', '--plugin', 'terser'],
     ],
     // Its pages fetch what a script imports when that has come.
-    most: { atOnce: 30_000, later: 106_000, requests: 5, waves: 2 },
+    most: { atOnce: 30_000, later: 97_000, requests: 5, waves: 2 },
     commands: [['npx', 'rollup', 'plain.js', '--dir', 'out', '--format', 'es', '--plugin', 'node-resolve']],
     folder: 'out',
   },
