@@ -40,6 +40,7 @@ export const OFFERS = {
     'occlusion/occlusionSides.ts',
     'occlusion/startOcclusion.ts',
     'orientation/orientTriangles.ts',
+    'orientation/seenFromBehind.ts',
     'orientation/turnTriangles.ts',
   ],
   strokes: [

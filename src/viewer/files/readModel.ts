@@ -1,4 +1,5 @@
 import { Matrix4, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
+import { seenFromBehind } from '../../mesh/orientation/seenFromBehind.js';
 import type { ChosenView } from '../views/chooseViews.js';
 import type { BundledDrawing } from './bundle.js';
 import { toUtf8 } from './common/AsciiReader.js';
@@ -160,11 +161,7 @@ async function readMain(
     }
     ({ format } = archive);
   }
-  const findFile: FindFile = async (uri) => {
-    const wanted = comparedName(safeDecode(uri));
-    const file = files.find((one) => comparedName(one.name) === wanted);
-    return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
-  };
+  const findFile = finderIn(files, surroundings);
   const file = { bytes, name: shown, findFile, loadDraco, variant, asWritten, hasBothSides };
   const isTurned = !format.isWindingCertain && !asWritten.includes('orientation');
   const { content, extras, turned: turnedParts, ...parsed } = await parse(format, file, isTurned);
@@ -218,6 +215,7 @@ async function readMain(
       ...other,
       ...brokenNote(parsed.broken + broken),
       ...duplicateNote(duplicates),
+      ...behindNote(mesh),
       ...parsed.details,
     ],
     changes: [
@@ -228,6 +226,18 @@ async function readMain(
     ],
   };
 }
+
+/** Finds files by the URIs of others. */
+function finderIn(files: readonly ModelFile[], surroundings: Surroundings): FindFile {
+  return async (uri) => {
+    const wanted = comparedName(safeDecode(uri));
+    const file = files.find((one) => comparedName(one.name) === wanted);
+    return file ? new Uint8Array(await file.content.arrayBuffer()) : surroundings.findFile?.(uri);
+  };
+}
+
+/** A one-sided mesh of which more is seen from behind shows mostly what is inside it. */
+const MOSTLY = 0.5;
 
 /** Marks the ranges with see-through pictures as glass, and removes those pictures. */
 function withClearRanges(mesh: PlainMesh, clear: ReadonlySet<number>): PlainMesh {
@@ -277,6 +287,15 @@ const brokenNote = (triangles: number): string[] =>
 
 const duplicateNote = (triangles: number): string[] =>
   triangles === 0 ? [] : [counted(triangles, 'duplicate triangle', 'left out')];
+
+/** A detail on a one-sided mesh that shows mostly its inside. */
+const behindNote = ({ positions, indices, isOneSided }: PlainMesh): string[] =>
+  isOneSided &&
+  indices &&
+  seenFromBehind({ positions: positions as Float32Array<ArrayBuffer>, indices: indices as Uint32Array<ArrayBuffer> }) >
+    MOSTLY
+    ? ['its surfaces have one side, as the file says, and are seen through from outside']
+    : [];
 
 const turnedChange = (triangles: number): FileChange[] =>
   triangles === 0

@@ -149,3 +149,19 @@ describe('the sides of surfaces', () => {
     expect(await sidesOf(false, true)).toEqual([DoubleSide]);
   });
 });
+
+test('a one-sided glTF that is inside out says that it is seen through, and one that is right does not', async () => {
+  const detailsOf = async (isInsideOut: boolean, material: object = {}) => {
+    const builder = tetrahedron();
+    const primitive = builder.json.meshes[0].primitives[0];
+    if (isInsideOut) primitive.indices = builder.accessor(Uint16Array.of(0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2), 'SCALAR');
+    builder.json.materials = [material];
+    primitive.material = 0;
+    const file = { name: 'box.glb', content: new Blob([builder.glb() as Uint8Array<ArrayBuffer>]) };
+    return (await readModel([file], () => {})).details;
+  };
+  const sentence = 'its surfaces have one side, as the file says, and are seen through from outside';
+  expect(await detailsOf(true)).toEqual([sentence]);
+  expect(await detailsOf(false)).toEqual([]);
+  expect(await detailsOf(true, { doubleSided: true })).toEqual([]);
+});
