@@ -39,6 +39,8 @@ export class PartsPanel {
     });
     const list = element('ul', { className: 'parts-list' });
     list.setAttribute('aria-label', 'Parts of the model');
+    // Safari takes lists without marks for none.
+    list.setAttribute('role', 'list');
     this.highlight = new PartHighlight(session.viewport);
     this.rows = new PartRows(this.scroller, list, {
       toggle: (toggled) => {
