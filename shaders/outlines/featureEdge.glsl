@@ -5,6 +5,7 @@ uniform float creases;
 uniform float materialBorders;
 uniform float intersections;
 uniform float overshoot; // pixels
+uniform bool showsBack; // whether the back of the surface can be seen
 
 // The part of the edge, as t from start to end, where one side faces the eye and the other does not. false if there is none.
 bool contourAlong(const in vec2 left, const in vec2 right, out vec2 part) {
@@ -28,7 +29,7 @@ vec3 seenNormal(const in OutlinePoint left, const in OutlinePoint right, const i
   if (left.facing > 0.0 && sign * right.facing > 0.0) return left.normal + sign * right.normal;
   if (left.facing > 0.0) return left.normal;
   if (sign * right.facing > 0.0) return sign * right.normal;
-  return -left.normal;
+  return -left.normal - sign * right.normal;
 }
 
 Piece featureEdge(
@@ -48,9 +49,10 @@ Piece featureEdge(
   bool isIntersection = (flags & EDGE_INTERSECTION) != 0u;
   if (isIntersection) whole = intersections;
   bool isBorder = (flags & EDGE_BORDER) != 0u;
+  bool isBehind = max(max(left.x, left.y), max(right.x, right.y)) <= 0.0;
   #ifndef HIDDEN
-    // A crease is invisible if both sides face away; borders and lines where surfaces meet show from behind.
-    if (!isBorder && !isIntersection && max(max(left.x, left.y), max(right.x, right.y)) <= 0.0) return piece;
+    // What lies on a surface is invisible if both sides face away, unless the back shows. Lines where surfaces meet show from behind.
+    if (!isIntersection && !showsBack && isBehind) return piece;
   #endif // HIDDEN
 
   vec2 part;
@@ -78,6 +80,7 @@ Piece featureEdge(
   piece.start.normal = seenNormal(leftStart, rightStart, sign);
   piece.end.normal = seenNormal(leftEnd, rightEnd, sign);
   vec3 turn = cross(leftStart.normal, sign * rightStart.normal);
-  piece.isValley = !isBorder && dot(turn, leftEnd.position - leftStart.position) < 0.0;
+  // What is a ridge in front is a valley at the back.
+  piece.isValley = !isBorder && (dot(turn, leftEnd.position - leftStart.position) < 0.0) != (showsBack && isBehind);
   return piece;
 }

@@ -18,7 +18,7 @@ import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './Hatch
 import { fadingLookOf, MeshOutlines, meanScale, NO_PARTS } from './MeshOutlines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
-import { copyDrawState, isClipped, isCutOut, isDrawnBefore } from './surfaceRules.js';
+import { copyDrawState, isClipped, isCutOut, isDrawnBefore, showsBack } from './surfaceRules.js';
 
 /** An object that draws outlines. */
 type Outlines = Object3D & { geometry: BufferGeometry; material: HatchingOutlineMaterial };
@@ -171,6 +171,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
     uniforms.isCutOut.value = isCutOut(surface);
+    uniforms.showsBack.value = showsBack(surface);
     // Storing a number allocates it, so an equal one is not stored.
     if (uniforms.radius.value !== (data.radius || 1)) uniforms.radius.value = data.radius || 1;
     this.bindCamera(renderer, camera, mesh);

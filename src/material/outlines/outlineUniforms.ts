@@ -29,6 +29,7 @@ export const OUTLINE_MESH_UNIFORMS = [
     'opacity',
     'pull',
     'radius',
+    'showsBack',
   ],
 ];
 
@@ -60,6 +61,7 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
         isDrawnBefore: { value: false },
         isListed: { value: false },
         pull: { value: 0 },
+        showsBack: { value: false },
         eye: { value: new Vector4() },
         hasSceneDepth: { value: false },
         sceneDepth: { value: null },

@@ -4,6 +4,7 @@ import {
   type DepthModes,
   EqualDepth,
   EqualStencilFunc,
+  FrontSide,
   GreaterDepth,
   GreaterEqualDepth,
   GreaterStencilFunc,
@@ -100,6 +101,9 @@ export const isShown = (material: Material, geometry: BufferGeometry | null = nu
  */
 export const isCutOut = ({ alphaHash, alphaTest, depthTest, depthWrite, opacity, transparent }: Material): boolean =>
   (alphaTest > 0 || (alphaHash && opacity >= 1)) && depthTest && depthWrite && !transparent;
+
+/** Whether the back of a surface can be seen. */
+export const showsBack = ({ side }: Material): boolean => side !== FrontSide;
 
 /** The properties that decide, for each pixel, whether a material is drawn and how opaque it is. */
 const NAMES = [
@@ -222,4 +226,8 @@ function isTestedAlike(a: Material, b: Material): boolean {
 
 /** Whether the outlines of two materials look alike. */
 export const looksAlike = (a: Material, b: Material, geometry: BufferGeometry | null = null): boolean =>
-  a === b || (opacityOf(a, geometry) === opacityOf(b, geometry) && isCutOut(a) === isCutOut(b) && isTestedAlike(a, b));
+  a === b ||
+  (opacityOf(a, geometry) === opacityOf(b, geometry) &&
+    isCutOut(a) === isCutOut(b) &&
+    showsBack(a) === showsBack(b) &&
+    isTestedAlike(a, b));

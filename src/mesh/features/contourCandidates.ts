@@ -1,4 +1,3 @@
-import { BORDER, CONTRARY } from '../bake/outlineLayout.js';
 import { chunkPhase } from '../phases.js';
 
 /** The data of a search for contours. Plain data: it is posted to the worker and back. */
@@ -29,8 +28,8 @@ const LOOKS_AWAY = 2;
 /**
  * Lists the candidates: the primitives that may hold a line as long as the direction to the eye turns by less than an angle. A
  * triangle is left out if its three corners all face the eye, or all face away, by more than that angle. Borders and creases are
- * candidates, unless all of a crease faces away; other edges follow the rule for triangles. Fills `list`, with triangles before
- * edges, and returns the number of candidates.
+ * candidates, since the back of the surface may be visible; other edges follow the rule for triangles. Fills `list`, with triangles
+ * before edges, and returns the number of candidates.
  *
  * @param sine the sine of the angle
  */
@@ -92,10 +91,9 @@ function listEdges(
     const leftSides = sides[first & pointMask] | sides[primitives[i + 1] & pointMask];
     const rightSides = sides[primitives[i + 2]] | sides[primitives[i + 3]];
     const both = leftSides | rightSides;
-    // At a border the back of the surface may be visible, and contrary windings leave front and back unknown. A crease is visible
-    // if one of its sides faces the eye. Any other edge can only hold the contour, which needs a side that faces away as well.
+    // An edge without a mark can only hold the contour, which needs a side that faces the eye and one that faces away.
     const kinds = (first & ~pointMask) >>> pointBits;
-    const isSeen = kinds & (BORDER | CONTRARY) || (kinds === 0 ? both === (FACES | LOOKS_AWAY) : both !== LOOKS_AWAY);
+    const isSeen = kinds !== 0 || both === (FACES | LOOKS_AWAY);
     if (isSeen) list[count++] = edge;
   }
   return count;

@@ -72,6 +72,8 @@ export interface OutlineLook {
   hidden: HiddenOutlines;
   /** Whether parts of the surface may be cut out, where there are no outlines. */
   isCutOut: boolean;
+  /** Whether the back of the surface can be seen. */
+  showsBack: boolean;
   /** Null where everything has its full weight. */
   fading: ObjectFading | null;
 }

@@ -168,8 +168,9 @@ class PieceFinder {
     const sign = edge.isContrary ? -1 : 1;
     const left = [facing[leftStart], facing[leftEnd]] as const;
     const right = [sign * facing[rightStart], sign * facing[rightEnd]] as const;
-    // A crease is invisible if both sides face away; borders and lines where surfaces meet show from behind.
-    if (!isBorder && !isIntersection && !this.withHidden && Math.max(...left, ...right) <= 0) return null;
+    const isBehind = Math.max(...left, ...right) <= 0;
+    // What lies on a surface is invisible if both sides face away, unless the back shows. Lines where surfaces meet show from behind.
+    if (!isIntersection && !this.withHidden && !look.showsBack && isBehind) return null;
     const ofSurface = Math.max(edge.isCrease ? look.creases : 0, edge.isMaterialBorder ? look.materialBorders : 0);
     const whole = isIntersection ? look.intersections : ofSurface;
     const isContour = [left[0] * right[0] < 0, left[1] * right[1] < 0].map((isOne) => isOne && !isIntersection);
@@ -195,7 +196,8 @@ class PieceFinder {
     }
     const turn = cross(this.normalOf(leftStart), combined(sign, this.normalOf(rightStart), 0, [0, 0, 0]));
     const along = combined(1, this.positionOf(leftEnd), -1, this.positionOf(leftStart));
-    const isValley = !isBorder && dot(turn, along) < 0;
+    // What is a ridge in front is a valley at the back.
+    const isValley = !isBorder && dot(turn, along) < 0 !== (look.showsBack && isBehind);
     return { start: ends[0], end: ends[1], isSmooth: false, contour, extent: 0, ownCover: 0, isValley };
   }
 
@@ -216,7 +218,7 @@ class PieceFinder {
     const [n, m] = [this.normalOf(left), this.normalOf(right)];
     if (this.facing[left] > 0 && sign * this.facing[right] > 0) return combined(1, n, sign, m);
     if (this.facing[left] > 0) return n;
-    return sign * this.facing[right] > 0 ? combined(sign, m, 0, m) : combined(-1, n, 0, n);
+    return sign * this.facing[right] > 0 ? combined(sign, m, 0, m) : combined(-1, n, -sign, m);
   }
 }
 

@@ -10,7 +10,7 @@ import {
 } from 'three';
 import type { OutlineData } from '../../material/geometry/OutlineData.js';
 import type { HatchingOutlineMaterial } from '../../material/outlines/HatchingOutlineMaterial.js';
-import { opacityOf } from '../../material/outlines/surfaceRules.js';
+import { opacityOf, showsBack } from '../../material/outlines/surfaceRules.js';
 import {
   BORDER,
   CONTRARY,
@@ -62,6 +62,7 @@ export function outlineLookOf(
     ...{ contours, innerContours, borders, creases, suggestiveContours, taper, lostEdges },
     ...{ accents, overshoot, wobble, fading, hidden },
     isCutOut: alphaTestOf(surface) > 0 && surface.depthWrite && leftBehind(surface, geometry) === 0,
+    showsBack: showsBack(surface),
   };
 }
 

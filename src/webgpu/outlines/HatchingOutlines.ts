@@ -18,7 +18,7 @@ import { warn } from '../../material/diagnostics/warn.js';
 import type { HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
 import { fadingLookOf, MeshOutlines, meanScale, NO_PARTS } from '../../material/outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
-import { isCutOut, isDrawnBefore } from '../../material/outlines/surfaceRules.js';
+import { isCutOut, isDrawnBefore, showsBack } from '../../material/outlines/surfaceRules.js';
 import { clippingOfFrame } from '../../material/three/clipping.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { placesOf } from './instancePlaces.js';
@@ -123,6 +123,7 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     uniforms.outlinePoints.value = data.points;
     uniforms.outlinePrimitives.value = data.primitives;
     uniforms.isCutOut.value = isCutOut(surface);
+    uniforms.showsBack.value = showsBack(surface);
     uniforms.radius.value = data.radius || 1;
     this.writeEye(uniforms.eye.value, camera, mesh);
     uniforms.objectScale.value = meanScale(mesh.matrixWorld);

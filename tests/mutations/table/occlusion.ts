@@ -56,4 +56,37 @@ export const occlusion: readonly Mutation[] = [
       title: 'directions are evenly spread over the upper half of the sphere',
     },
   },
+  {
+    name: 'the back of a surface has the hollows of its front',
+    file: 'src/mesh/occlusion/startOcclusion.ts',
+    find: 'front.normals.map((value) => -value)',
+    replace: 'front.normals',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/occlusion/occlusion.test.ts',
+      title: '… outside and inside each have their own',
+    },
+  },
+  {
+    name: 'the front is drawn with the hollows of the back',
+    file: 'shaders/chunks/occlude.glsl',
+    find: 'gl_FrontFacing ? vOcclusion.x : vOcclusion.y',
+    replace: 'gl_FrontFacing ? vOcclusion.y : vOcclusion.x',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/occlusion.spec.ts',
+      title: 'a bowl is as bright as the sky that the side sees which is seen: …',
+    },
+  },
+  {
+    name: 'a sheet that is lit on its back lies in its own shadow',
+    file: 'shaders/chunks/turnShadows.glsl',
+    find: 'gl_FrontFacing ? vec3(0.0) : 2.0 *',
+    replace: '0.0 *',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/twoSides.spec.ts',
+      title: '… turned inside out: …',
+    },
+  },
 ];

@@ -22,6 +22,7 @@ const creases = /* @__PURE__ */ hatchingUniform('creases', 'float');
 const materialBorders = /* @__PURE__ */ hatchingUniform('materialBorders', 'float');
 const intersections = /* @__PURE__ */ hatchingUniform('intersections', 'float');
 const overshoot = /* @__PURE__ */ hatchingUniform('overshoot', 'float');
+const showsBack = /* @__PURE__ */ hatchingUniform('showsBack', 'float');
 
 /** The part of the edge, as t from start to end, where one side faces the eye and the other does not. */
 function contourAlong(left: Value, right: Value): { hasContour: Value; part: Value } {
@@ -60,7 +61,7 @@ function seenNormal(left: OutlinePoint, right: OutlinePoint, sign: Value): Value
   return select(
     isLeftSeen,
     select(isRightSeen, left.normal.add(ofRight), left.normal),
-    select(isRightSeen, ofRight, left.normal.negate()),
+    select(isRightSeen, ofRight, left.normal.add(ofRight).negate()),
   );
 }
 
@@ -83,8 +84,10 @@ export function featureEdge(
   whole.assign(select(isIntersection, intersections, whole));
   const isBorder = hasFlag(flags, BORDER).toVar();
   const isAlways = isBorder.or(isIntersection).toVar();
-  // A crease is invisible if both sides face away; borders and lines where surfaces meet show from behind.
-  const canBeSeen = isHidden ? bool(true) : isAlways.or(max(max(left.x, left.y), max(right.x, right.y)).greaterThan(0));
+  const isBehind = max(max(left.x, left.y), max(right.x, right.y)).lessThanEqual(0).toVar();
+  const isShown = showsBack.greaterThan(0.5).toVar();
+  // What lies on a surface is invisible if both sides face away, unless the back shows. Lines where surfaces meet show from behind.
+  const canBeSeen = isHidden ? bool(true) : isIntersection.or(isShown).or(isBehind.not());
   If(canBeSeen, () => {
     const { hasContour, part } = contourAlong(left, right);
     hasContour.assign(hasContour.and(isAlways.not()));
@@ -115,6 +118,7 @@ export function featureEdge(
     end.normal.assign(seenNormal(leftEnd, rightEnd, sign));
     const turn = cross(leftStart.normal, sign.mul(rightStart.normal));
     const isConcave = dot(turn, leftEnd.position.sub(leftStart.position)).lessThan(0);
-    piece.isValley.assign(isBorder.not().and(isConcave));
+    // What is a ridge in front is a valley at the back.
+    piece.isValley.assign(isBorder.not().and(select(isShown.and(isBehind), isConcave.not(), isConcave)));
   });
 }
