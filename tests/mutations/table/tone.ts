@@ -89,6 +89,28 @@ export const tone: readonly Mutation[] = [
     },
   },
   {
+    name: 'shaders keep details of maps that are finer than strokes',
+    file: 'shaders/chunks/localColor.glsl',
+    find: 'texture2D(map, vMapUv, mapBlur)',
+    replace: 'texture2D(map, vMapUv)',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/localTone.spec.ts',
+      title: 'a plan of values leaves out details of a map that are finer than strokes, and keeps coarser ones',
+    },
+  },
+  {
+    name: 'drawings as lines keep details of maps that are finer than lines',
+    file: 'src/vector/paint/ColourReader.ts',
+    find: 'coarse[3] < OPAQUE_TEXEL ? map : coarse',
+    replace: 'map',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/shading/coarseMaps.test.ts',
+      title: 'has no details that are finer than lines can show',
+    },
+  },
+  {
     name: 'steps of tone are cut in shaders',
     file: 'shaders/chunks/tone.glsl',
     find: 'floor(tone * last + 0.5)',
