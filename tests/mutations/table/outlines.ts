@@ -2,6 +2,39 @@ import type { Mutation } from '../Mutation.js';
 
 export const outlines: readonly Mutation[] = [
   {
+    name: 'surfaces in contact count as neither before nor behind each other',
+    file: 'src/mesh/intersections/sideOf.ts',
+    find: 'return shift * (pairSign',
+    replace: 'return 0 * shift * (pairSign',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/intersections/findIntersections.test.ts',
+      title: 'grids whose vertices lie on each other’s edges and planes',
+    },
+  },
+  {
+    name: 'panels that nearly touch have lines',
+    file: 'src/mesh/intersections/joinSegments.ts',
+    find: 'sine < LEAST_SINE',
+    replace: 'sine < 0',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/intersections/findIntersections.test.ts',
+      title: 'sheets that nearly touch, flat and curved',
+    },
+  },
+  {
+    name: 'lines where meshes meet stay where one of them has moved',
+    file: 'src/material/outlines/MeetingLines.ts',
+    find: 'difference <= ROUNDING * largest',
+    replace: 'difference <= largest',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/outlines/intersections.test.ts',
+      title: 'they stay while meshes move together',
+    },
+  },
+  {
     name: 'creases are at least as flat as their angle',
     file: 'src/mesh/features/findFeatureEdges.ts',
     find: '<= creaseCosine',

@@ -86,6 +86,9 @@ describe('lines where two parts meet', () => {
       const found = segmentsOf(meetingMesh(block), meetingMesh(block, at(x, y, z)));
       expect(endsAt(found).every((count) => count % 2 === 0)).toBe(true);
     }
+    // The edges of their common box that are edges of neither.
+    const found = segmentsOf(meetingMesh(block), meetingMesh(block, at(1, 0.5, 0.25)));
+    expect(lengthOf(found)).toBeCloseTo(2 * 1.75 + 2 * 1.5 + 2 * 1, 6);
   });
 
   test('the surfaces of a segment form a valley', () => {
