@@ -54,8 +54,8 @@ const START_SHARE = 0.05;
  *
  * - Every mesh at or below `root` whose geometry comes from `prepareHatchingGeometry` or `applyHatching` receives occlusion. All
  *   visible meshes at or below `root` occlude, except `transparent` ones and those on no layer. Instances, batches, lines and points take no part.
- * - Sides count as `side` of the materials says: each that is drawn occludes, and gets the occlusion of its own. Light falls through the
- *   back of a wall of which only the front is drawn, as the eye does.
+ * - Each side that is drawn, as `side` of the materials says, gets the occlusion of its own. Both occlude, but where most that is seen from
+ *   around are backs that are not drawn, as of a room whose walls face inward: there light falls in, as the eye does.
  * - Meshes are baked where they are at the time of the call, skins and morph targets at rest. Bake again after a change.
  * - Meshes that share a geometry each get a clone of it, which shares all but eight bytes per vertex. A mesh elsewhere with the
  *   same geometry shows the same occlusion.

@@ -1,3 +1,4 @@
+import { isSeenFromBehind } from '../orientation/seenFromBehind.js';
 import { asPhase, chunkPhase } from '../phases.js';
 import { weldPositions } from '../weldPositions.js';
 import {
@@ -34,12 +35,16 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
     .filter(({ occluding }) => occluding.some((sides) => sides !== 0));
   const sampled = surfaces.flatMap(({ samples }) => samples ?? []);
   const sides = [...sampled, ...sampled.filter(({ hasBack }) => hasBack).map(backOf)];
+  const positions = joined(
+    Float32Array,
+    occluders.map(({ positions }) => positions),
+  );
+  const triangles = joinedTriangles(occluders);
+  const isOpen = yield* asPhase(letsLightIn(positions, triangles), meshes.length / (meshes.length + 1), 1);
+  if (!isOpen) triangles.twoSided = triangles.indices.length / 3;
   const scene = {
-    positions: joined(
-      Float32Array,
-      occluders.map(({ positions }) => positions),
-    ),
-    ...joinedTriangles(occluders),
+    ...triangles,
+    positions,
     samplePositions: joined(
       Float32Array,
       sides.map(({ positions }) => positions),
@@ -140,6 +145,18 @@ function joinedTriangles(occluders: readonly Occluder[]): Pick<OcclusionScene, '
     first += positions.length / 3;
   }
   return { indices: joined, twoSided };
+}
+
+/**
+ * Whether light falls through the backs of surfaces with one side, as the eye does: where most that is seen of them from around are backs, as
+ * of a room whose walls face inward. Through an open sheet or a scan with holes no light falls.
+ */
+function* letsLightIn(
+  positions: Float32Array<ArrayBuffer>,
+  { indices, twoSided }: Pick<OcclusionScene, 'indices' | 'twoSided'>,
+): Generator<number, boolean, void> {
+  const oneSided = indices.subarray(3 * twoSided);
+  return oneSided.length > 0 && (yield* isSeenFromBehind({ positions, indices: oneSided }));
 }
 
 /** The determinant of the upper left 3×3 part of a matrix. */

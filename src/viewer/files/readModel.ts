@@ -1,5 +1,6 @@
 import { Matrix4, type Mesh, type MeshPhongMaterial, type Object3D } from 'three';
-import { seenFromBehind } from '../../mesh/orientation/seenFromBehind.js';
+import { isSeenFromBehind } from '../../mesh/orientation/seenFromBehind.js';
+import { runToEnd } from '../../mesh/phases.js';
 import type { ChosenView } from '../views/chooseViews.js';
 import type { BundledDrawing } from './bundle.js';
 import { toUtf8 } from './common/AsciiReader.js';
@@ -236,9 +237,6 @@ function finderIn(files: readonly ModelFile[], surroundings: Surroundings): Find
   };
 }
 
-/** A one-sided mesh of which more is seen from behind shows mostly what is inside it. */
-const MOSTLY = 0.5;
-
 /** Marks the ranges with see-through pictures as glass, and removes those pictures. */
 function withClearRanges(mesh: PlainMesh, clear: ReadonlySet<number>): PlainMesh {
   if (clear.size === 0) return mesh;
@@ -292,8 +290,12 @@ const duplicateNote = (triangles: number): string[] =>
 const behindNote = ({ positions, indices, isOneSided }: PlainMesh): string[] =>
   isOneSided &&
   indices &&
-  seenFromBehind({ positions: positions as Float32Array<ArrayBuffer>, indices: indices as Uint32Array<ArrayBuffer> }) >
-    MOSTLY
+  runToEnd(
+    isSeenFromBehind({
+      positions: positions as Float32Array<ArrayBuffer>,
+      indices: indices as Uint32Array<ArrayBuffer>,
+    }),
+  )
     ? ['its surfaces have one side, as the file says, and are seen through from outside']
     : [];
 

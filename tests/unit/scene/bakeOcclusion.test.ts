@@ -5,7 +5,6 @@ import {
   BufferAttribute,
   BufferGeometry,
   DoubleSide,
-  FrontSide,
   Group,
   InstancedMesh,
   Mesh,
@@ -20,7 +19,6 @@ import { describe, expect, test, vi } from 'vitest';
 import { bakeOcclusion, type OcclusionBake, prepareHatchingGeometry } from '../../../src/index.js';
 import { isStale } from '../../../src/material/geometry/staleGeometry.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
-import { occlusionOf } from '../../../src/mesh/occlusion/occlusionSides.js';
 import { eventually } from '../patience.js';
 
 const FEW = { directions: 64 };
@@ -30,16 +28,13 @@ const prepared = async (geometry: BufferGeometry, layout: 'corner' | 'pull' | 'i
 
 /** A wide plane above the origin, which occludes nearly everything below it. */
 const roof = (): Mesh =>
-  new Mesh(
-    new PlaneGeometry(30, 30).rotateX(Math.PI / 2).translate(0, 0.5, 0),
-    new MeshBasicMaterial({ side: DoubleSide }),
-  );
+  new Mesh(new PlaneGeometry(30, 30).rotateX(Math.PI / 2).translate(0, 0.5, 0), new MeshBasicMaterial());
 const ground = (): BufferGeometry => new PlaneGeometry(1, 1, 3, 3).rotateX(-Math.PI / 2);
 
 /** The occlusion of a drawn mesh. */
 const occlusionsOf = ({ geometry }: Mesh): number[] => {
   const { hatchNormal } = geometry.attributes;
-  return Array.from({ length: hatchNormal.count }, (_, i) => occlusionOf(hatchNormal.getW(i), false));
+  return Array.from({ length: hatchNormal.count }, (_, i) => Math.max(-hatchNormal.getW(i), 0));
 };
 const darkest = (mesh: Mesh): number => Math.max(...occlusionsOf(mesh));
 const lightest = (mesh: Mesh): number => Math.min(...occlusionsOf(mesh));
@@ -73,7 +68,6 @@ describe('the bake', () => {
     const bakedAt = async (x: number): Promise<number[]> => {
       const [lower, upper] = [await prepared(ground()), await prepared(ground().rotateX(Math.PI))];
       upper.position.y = 0.2;
-      for (const { material } of [lower, upper]) material.side = DoubleSide;
       const scene = sceneOf(lower, upper);
       scene.position.set(x, x / 2, -x);
       await bakeOcclusion(scene, FEW);
@@ -89,7 +83,6 @@ describe('the bake', () => {
   test('two meshes occlude each other, and one that is not prepared occludes too', async () => {
     const lower = await prepared(ground());
     const upper = await prepared(ground().rotateX(Math.PI).translate(0, 0.2, 0));
-    for (const { material } of [lower, upper]) material.side = DoubleSide;
     await bakeOcclusion(sceneOf(lower, upper), FEW);
     expect(darkest(lower)).toBeGreaterThan(0.3);
     expect(darkest(upper)).toBeGreaterThan(0.3);
@@ -108,7 +101,6 @@ describe('the bake', () => {
     ['invisible', invisible],
     ['of an invisible material', material({ visible: false })],
     ['transparent', material({ transparent: true })],
-    ['drawn on its lower side alone', material({ side: FrontSide })],
     ['below an invisible group', (mesh) => invisible(new Group()).add(mesh)],
     ['instanced', ({ geometry, material }) => new InstancedMesh(geometry, material, 1)],
   ])('a mesh that is %s hides nothing', async (_, change) => {
@@ -118,11 +110,22 @@ describe('the bake', () => {
     expect(bake.skipped).toEqual([]);
   });
 
-  test('of the groups of a mesh, each occludes as its material says', async () => {
+  test.each([
+    ['walls that face inward let light in where backs are not drawn', BackSide, 0, 0.05],
+    ['walls of two sides keep it out', DoubleSide, 0.95, 1],
+  ])('%s', async (_, side, least, most) => {
+    const floor = await prepared(ground());
+    const walls = new Mesh(new BoxGeometry(2, 2, 2).translate(0, 0.9, 0), new MeshBasicMaterial({ side }));
+    await bakeOcclusion(sceneOf(floor, walls), FEW);
+    expect(lightest(floor)).toBeGreaterThanOrEqual(least);
+    expect(darkest(floor)).toBeLessThanOrEqual(most);
+  });
+
+  test('of the groups of a mesh, those that are see-through occlude nothing', async () => {
     const two = new PlaneGeometry(30, 30, 2, 1).rotateX(Math.PI / 2).translate(0, 0.5, 0);
     two.addGroup(0, 6, 0);
     two.addGroup(6, 6, 1);
-    const half = new Mesh(two, [new MeshBasicMaterial({ side: BackSide }), new MeshBasicMaterial()]);
+    const half = new Mesh(two, [new MeshBasicMaterial(), new MeshBasicMaterial({ transparent: true })]);
     const [left, right] = [await prepared(ground().translate(-4, 0, 0)), await prepared(ground().translate(4, 0, 0))];
     await bakeOcclusion(sceneOf(left, right, half), FEW);
     expect(lightest(left)).toBeGreaterThan(0.8);
