@@ -44,12 +44,12 @@ const halves = [head, 'o Low\n', ...faces.slice(0, 4), '\no High\n', ...faces.sl
 
 describe('a drawing', () => {
   test('has the parts that are asked for, where they are in the whole', async () => {
-    const link = ['--link', 'preset=engraving'];
+    const link = ['--link', 'preset=engraving', '--view', '31.8 17'];
     const [whole, low, high, same] = await Promise.all([
       draw('a.obj', halves, ...SMALL, ...link),
       draw('b.obj', halves, ...SMALL, ...link, '--only', 'low'),
       draw('c.obj', halves, ...SMALL, ...link, '--hide', 'Low'),
-      draw('d.obj', halves, ...SMALL, '--link', 'preset=engraving&hidden=1'),
+      draw('d.obj', halves, ...SMALL, '--link', 'preset=engraving&hidden=1', '--view', '31.8 17'),
     ]);
     expect(low.svgs[0]).not.toBe(high.svgs[0]);
     expect(Math.max(low.drawn[0], high.drawn[0])).toBeLessThan(whole.drawn[0]);

@@ -219,7 +219,7 @@ describe('bad input is rejected', () => {
     [{ smoothingRadius: Number.NaN }, /smoothingRadius is NaN/],
     [
       { layot: 'pull' },
-      /^prepareHatchingGeometry: unknown option "layot"\. The known ones are technique, adjacency, layout, /,
+      /^prepareHatchingGeometry: unknown option "layot"\. The known ones are orient, technique, adjacency, layout, /,
     ],
     [{ adjacency: 'yes' }, /^prepareHatchingGeometry: adjacency is yes\./],
     [

@@ -122,7 +122,7 @@ test('a picture in which a simplified model is seen to be simplified can be save
   ]);
   line.mend();
   await eventually(() => expect(line.text).toBe('Saved finer.'));
-  expect(saveFiner).toHaveBeenCalledExactlyOnceWith(FILES, undefined);
+  expect(saveFiner).toHaveBeenCalledExactlyOnceWith(FILES, { asWritten: undefined, variant: undefined });
   expect(line.remedy).toBeUndefined();
 });
 

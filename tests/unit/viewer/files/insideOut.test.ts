@@ -2,7 +2,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { DoubleSide, type Mesh } from 'three';
 import { afterEach, describe, expect, test } from 'vitest';
 import { parseGltf } from '../../../../src/viewer/files/gltf/parseGltf.js';
-import { readModel } from '../../../../src/viewer/files/readModel.js';
+import { type ReadModel, readModel } from '../../../../src/viewer/files/readModel.js';
 import { mergeScene } from '../../../../src/viewer/files/scenes/mergeScene.js';
 import { BOX_CORNERS, BOX_FACES } from '../../../../tools/modelFiles/box.js';
 import { boxStl, type Content, file, measure, read, triangles } from '../../../../tools/modelFiles/modelWriters.js';
@@ -55,6 +55,9 @@ afterEach(() => {
   turned = [];
 });
 
+/** The changes of a model whose triangles were turned. */
+const turnedIn = ({ changes }: Pick<ReadModel, 'changes'>) => changes.filter(({ kind }) => kind === 'orientation');
+
 /** What a writer makes with some faces turned. */
 function written(write: () => Content, faces: number[]): Content {
   turned = faces;
@@ -66,7 +69,7 @@ describe.each(Object.entries(WRITERS))('%s', (name, write) => {
   test('is left as it is where it is right', async () => {
     const model = await read([name, write()]);
     expect(measure(model).volume).toBeGreaterThan(1);
-    expect(model.changes).toEqual([]);
+    expect(turnedIn(model)).toEqual([]);
   });
 
   test.each(Object.entries(WAYS))('with %s turned is turned back, and says so', async (_, faces) => {
@@ -74,7 +77,7 @@ describe.each(Object.entries(WRITERS))('%s', (name, write) => {
     const model = await read([name, written(write, faces)]);
     expect(measure(model).volume).toBeCloseTo(right, 5);
     expect(triangles(model)).toBe(12);
-    expect(model.changes).toMatchObject([{ kind: 'orientation' }]);
+    expect(turnedIn(model)).toHaveLength(1);
   });
 });
 
@@ -117,6 +120,7 @@ test.skipIf(!existsSync(CASE))('the files of the case are read as the right ones
     );
     expect(measure(wrong)).toEqual(measure(right));
     expect(measure(wrong).volume).toBeGreaterThan(0);
-    expect(right.changes).toEqual([]);
+    expect(turnedIn(right)).toEqual([]);
+    expect(turnedIn(wrong)).toHaveLength(1);
   }
 });
