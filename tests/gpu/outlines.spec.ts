@@ -178,19 +178,18 @@ test('with a list of candidates, without, and just before the list runs out the 
     const outlines = outlinesOf(mesh);
     const scene = paperScene(mesh);
     const camera = lookFrom(1, 2, 4);
-    let listed = draw(scene, camera);
-    const first = outlines.geometry.drawRange.count;
-    // The code of lists is fetched by the first draw.
-    while (outlines.geometry.drawRange.count === first) {
-      await new Promise(requestAnimationFrame);
-      listed = draw(scene, camera);
-    }
-    const counts = [outlines.geometry.drawRange.count];
     // A weight so small draws nothing, but asks for every triangle.
     outlines.material.weights.suggestiveContours = 1e-9;
     const all = draw(scene, camera);
-    counts.push(outlines.geometry.drawRange.count);
+    const ofAll = outlines.geometry.drawRange.count;
     outlines.material.weights.suggestiveContours = 0;
+    let listed = draw(scene, camera);
+    // The code of lists is fetched with the first frame of a page.
+    while (outlines.geometry.drawRange.count === ofAll) {
+      await new Promise(requestAnimationFrame);
+      listed = draw(scene, camera);
+    }
+    const counts = [outlines.geometry.drawRange.count, ofAll];
     // 0.75° of turn at the distance from the sphere around it.
     const { radius } = mesh.geometry.boundingSphere!;
     const reach = Math.sin(Math.PI / 240) * (camera.position.length() - radius);
