@@ -80,7 +80,7 @@ const SPOT = 0.02;
 export function planValues(colors: readonly Color[]): ValuePlan {
   const filter = filterFor(colors);
   const values = valuesOf(colors, filter);
-  if (values.length === 0) return { filter, knots: [0, 0, 0, 0], bends: [0, 0, 0, 0] };
+  if (values.length === 0) values.push({ lightness: 1, weight: 1, darkness: 0 });
   rank(values);
   separate(values);
   return { filter, ...curveThrough(values) };
@@ -144,7 +144,7 @@ function separate(values: readonly Value[]): void {
 /** The number of places at which the slope of the curve changes. */
 const KNOTS = 4;
 
-/** The curve from lightness to darkness, straight between a few values, level before the first and after the last. */
+/** The curve from lightness to darkness, straight between a few values, and level before the first. A darker colour that comes later is darker than the last. */
 function curveThrough(values: readonly Value[]): Pick<ValuePlan, 'knots' | 'bends'> {
   const points = values.filter(({ darkness }, i) => darkness > 0 || !(values[i + 1]?.darkness === 0));
   const [first] = points;
@@ -154,6 +154,9 @@ function curveThrough(values: readonly Value[]): Pick<ValuePlan, 'knots' | 'bend
       weight: 0,
       darkness: 0,
     });
+  const last = points[points.length - 1];
+  const ofBlack = Math.min(DARKEST, last.darkness + STEEPEST * last.lightness);
+  if (ofBlack > last.darkness + ONE_VALUE) points.push({ lightness: 0, weight: 0, darkness: ofBlack });
   while (points.length > KNOTS) points.splice(leastMissed(points), 1);
   const knots = points.map(({ lightness }) => lightness);
   const slopes = points.map((point, i) => {

@@ -12,11 +12,11 @@ const grey = (light: number): Rgb => [luminanceOf(light), luminanceOf(light), lu
 const OF_PRESETS = 0.8;
 
 /** The tone in full light of each of some colours of a scene, by their shares of the surface. */
-function tonesOf(scene: readonly (readonly [color: Rgb, share: number])[]): number[] {
+function tonesOf(scene: readonly (readonly [color: Rgb, share: number])[], asked = scene): number[] {
   const colors = new WeightedColors();
   for (const [color, share] of scene) colors.add(color, share);
   const { filter, knots, bends } = planValues(colors.means);
-  return scene.map(([color]) => {
+  return asked.map(([color]) => {
     const light = lightness(filter[0] * color[0] + filter[1] * color[1] + filter[2] * color[2]);
     return OF_PRESETS * knots.reduce((sum, knot, i) => sum + bends[i] * Math.max(knot - light, 0), 0);
   });
@@ -55,6 +55,16 @@ describe('a plan of values', () => {
     expect(orange).toBeGreaterThanOrEqual(0.12 - 1e-9);
     expect(orange).toBeLessThan(0.2);
     expect(brown).toBeGreaterThan(0.35);
+  });
+
+  test('has tones for darker colours that come after it was made', () => {
+    for (const planned of [1, 0.6]) {
+      const later = [0.45, 0.25, 0.05].map((light): readonly [Rgb, number] => [grey(light), 1]);
+      const tones = tonesOf([[grey(planned), 1]], later);
+      expect(tones[0]).toBeGreaterThan(0.1);
+      for (let i = 1; i < tones.length; i++) expect(tones[i] - tones[i - 1]).toBeGreaterThan(0.1);
+      expect(tones[2]).toBeLessThanOrEqual(0.56 + 1e-9);
+    }
   });
 
   test('does not make a coarse difference of a faint one', () => {
@@ -102,10 +112,12 @@ describe('a plan of values', () => {
     expect(tones.at(-1)).toBeCloseTo(0.56, 1);
   });
 
-  test('of no colours is blank, and colours that are no numbers are left out', () => {
+  test('of no colours is that of white, and colours that are no numbers are left out', () => {
     const colors = new WeightedColors();
     colors.add([Number.NaN, 0, 0], 1);
     colors.add([0, 0, 0], Number.POSITIVE_INFINITY);
-    expect(planValues(colors.means).bends).toEqual([0, 0, 0, 0]);
+    const white = new WeightedColors();
+    white.add([1, 1, 1], 1);
+    expect(planValues(colors.means)).toEqual(planValues(white.means));
   });
 });
