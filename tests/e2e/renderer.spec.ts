@@ -157,6 +157,10 @@ test('WebGPU draws the same picture when it is chosen, WebGL draws it again, and
   const before = await readDrawing(page);
   await fetchedAhead(page);
   expect(scripts).toEqual([]);
+  // Outlines have all their textures from the second frame on.
+  await page.locator('#lamp').focus();
+  for (const key of ['ArrowRight', 'ArrowLeft']) await page.keyboard.press(key);
+  await idle(page);
   const usual = await held(page);
   expect(usual.devices).toBe(0);
   expect(usual.programs).toBeGreaterThan(2);
