@@ -249,7 +249,7 @@ const workerTests = {
       () => 'resolved',
       (reason: Error) => reason.name,
     );
-    const next = await prepareHatchingGeometry(new BoxGeometry(), { adjacency: true });
+    const next = await prepareHatchingGeometry(new BoxGeometry());
     return { error, progress, triangles: next.userData.hatching.triangles, workersMade };
   },
 
