@@ -11,6 +11,8 @@ import {
   refreshes,
   writtenHash,
 } from '../../tools/browser/playground.js';
+import { BOX_CORNERS, BOX_FACES } from '../../tools/modelFiles/box.js';
+import { GltfBuilder } from '../../tools/modelFiles/GltfBuilder.js';
 import { file, octahedronObj } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { angleBetween, changedShare, meanInk, type Region, strokeDirection } from './pictures.js';
@@ -355,4 +357,23 @@ test('a model that is opened is lit from the upper front, and Undo takes its lig
   await expect(page.locator('#model-name')).toHaveText('octahedron.obj');
   await ready(page);
   expect(await lampPlace(page)).toEqual(suiting);
+});
+
+test('a room of one-sided walls that is seen through from outside is lit inside', async ({ page }) => {
+  const builder = new GltfBuilder();
+  const corners = Float32Array.from(BOX_CORNERS.flat());
+  const inward = BOX_FACES.flatMap(([a, b, c, d]) => [a, c, b, a, d, c]);
+  builder.json.meshes[0].primitives[0] = {
+    attributes: { POSITION: builder.accessor(corners, 'VEC3') },
+    indices: builder.accessor(Uint16Array.from(inward), 'SCALAR'),
+  };
+  const room = file('room.glb', Buffer.from(builder.glb()));
+  const inks: number[] = [];
+  for (const shadows of ['on', 'off']) {
+    await openPlayground(page, `exposure=fixed&technique=hatching&occlusion=0&ground=none&shadows=${shadows}`);
+    await drop(page, [room]);
+    await ready(page);
+    inks.push(meanInk(await readDrawing(page), { left: 0.42, top: 0.36, right: 0.58, bottom: 0.64 }));
+  }
+  expect(inks[0]).toBeLessThan(inks[1] + 0.05);
 });

@@ -39,6 +39,7 @@ export const OFFERS = {
     'occlusion/OcclusionScene.ts',
     'occlusion/occlusionSides.ts',
     'occlusion/startOcclusion.ts',
+    'orientation/openTriangles.ts',
     'orientation/orientTriangles.ts',
     'orientation/seenFromBehind.ts',
     'orientation/turnTriangles.ts',

@@ -76,7 +76,13 @@ async function hatch(
     const onGeometry = (done: number, total: number): void => {
       if (total > 1) stage = `joining triangles, ${done} of ${total} meshes are done`;
     };
-    const { model, notes } = await modelOfScene(scene, { ...options, usual, onProgress, onGeometry });
+    const { model, notes } = await modelOfScene(scene, {
+      ...options,
+      usual,
+      isOfFile: read.kind === 'parts',
+      onProgress,
+      onGeometry,
+    });
     return { model, notes: [...('notes' in read ? read.notes : []), ...notes] };
   } catch (error) {
     signal.throwIfAborted();

@@ -204,17 +204,19 @@ function materialsOf(
   {
     colors,
     isOneSided: isAllOneSided,
-    ranges = [{ start: 0, count: 0, picture: -1, isOneSided: isAllOneSided }],
+    castsFronts: allCast,
+    ranges = [{ start: 0, count: 0, picture: -1, isOneSided: isAllOneSided, castsFronts: allCast }],
   }: PlainMesh,
   usual: Side,
   paintOf: (picture: number) => HatchingMaterialParameters,
 ): HatchingMaterial[] {
-  return ranges.map(({ picture, isSeeThrough = false, isOneSided }) => {
+  return ranges.map(({ picture, isSeeThrough = false, isOneSided, castsFronts }) => {
     const glass = isSeeThrough ? { transparent: true, depthWrite: false } : {};
     return new HatchingMaterial({
       tilesPerObjectUnit: 1,
       vertexColors: colors !== null,
       side: isOneSided === undefined ? usual : isOneSided ? FrontSide : DoubleSide,
+      shadowSide: castsFronts ? FrontSide : null,
       ...paintOf(picture),
       ...glass,
     });

@@ -22,6 +22,7 @@ import { checkTriangleCount, thinNote } from '../files/mesh/PlainMesh.js';
 import { meshNames } from '../files/scenes/meshNames.js';
 import { repairScene } from '../files/scenes/repairGeometry.js';
 import { resolveAlpha } from '../files/scenes/resolveAlpha.js';
+import { castFronts, openMeshes } from './castFronts.js';
 import { HatchedModel } from './HatchedModel.js';
 import { type ChooseHidden, SceneParts } from './ModelParts.js';
 import { Motion } from './Motion.js';
@@ -69,7 +70,8 @@ const MAX_POINTS = 20_000;
  * Makes a hatched model of a scene with its textures, skins, morph targets and clips. Lines, points and lights are hidden, because the page
  * draws no lines and has its own lights.
  *
- * @param options `usual` is the common up axis of the format; undefined if the file states it. `hidden` chooses the parts that are hidden
+ * @param options `usual` is the common up axis of the format; undefined if the file states it. `hidden` chooses the parts that are hidden. The
+ *   shadows of what is read from a file agree with the sides that are seen
  * @returns the model, and notes for the caption about meshes and clips that were left out, for instance because of NaN values
  * @throws ModelError with one sentence for the user
  */
@@ -78,8 +80,10 @@ export async function modelOfScene(
   {
     usual,
     hidden,
+    isOfFile = false,
     ...options
   }: {
+    isOfFile?: boolean;
     hidden?: ChooseHidden | undefined;
     usual?: UsualUp | undefined;
     adjacency?: boolean;
@@ -107,8 +111,10 @@ export async function modelOfScene(
   const stands = usual && findUpAxis(points, null, usual);
   await slices.next();
 
+  const casting = isOfFile ? await openMeshes(root, slices) : [];
   // One tile per world unit, which the settings scale.
   const hatched = await applyHatching(root, { tonalArtMap: null, tilesPerWorldUnit: 1, outlines: true, ...options });
+  castFronts(casting);
   // From here on, cancelling disposes of the model, which frees everything.
   const ending = new Slices();
   const damaged = hatched.skipped.filter(({ error }) => error);

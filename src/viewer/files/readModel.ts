@@ -19,6 +19,7 @@ import {
 } from './formats.js';
 import type { GltfParts } from './gltf/parseGltf.js';
 import type { ReadGltf } from './gltf/readGltf.js';
+import { withCastingSides } from './mesh/castingSides.js';
 import { cleanMesh } from './mesh/cleanMesh.js';
 import { dropDuplicates } from './mesh/dropDuplicates.js';
 import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
@@ -202,7 +203,7 @@ async function readMain(
     kind: 'mesh',
     name,
     upAxis: stands ?? upAxis,
-    mesh: withClearRanges(mesh, clear),
+    mesh: withCastingSides(withClearRanges(mesh, clear)),
     pictures,
     plainNormals: normals,
     hidesBacks: normals !== null && hidesBacks(mesh),

@@ -12,10 +12,11 @@ export interface PlainMesh {
   indices: Uint32Array | null;
   /** Two components per vertex; only in meshes with pictures. */
   uvs?: Float32Array;
-  /** Contiguous ranges of corners by picture, opacity and sides; only in meshes where these differ, or with pictures. */
+  /** Contiguous ranges of corners by picture, opacity, sides and shadows; only in meshes where these differ, or with pictures. */
   ranges?: PictureRange[];
   /** Of a mesh without ranges, see `PictureRange`. */
   isOneSided?: boolean;
+  castsFronts?: boolean;
   /** The parts of the file that the mesh was joined from; only where there are several. */
   parts?: MeshParts;
 }
@@ -28,7 +29,7 @@ export interface MeshParts {
   ofVertices: Uint32Array;
 }
 
-/** Consecutive corners with the same picture, opacity and sides. */
+/** Consecutive corners with the same picture, opacity, sides and shadows. */
 export interface PictureRange {
   start: number;
   count: number;
@@ -38,6 +39,8 @@ export interface PictureRange {
   isSeeThrough?: boolean;
   /** Whether only the fronts of its triangles are drawn, or both sides, as the file says; undefined if it does not say. */
   isOneSided?: boolean;
+  /** Whether shadows are cast by the fronts of its triangles, instead of as three.js does it. */
+  castsFronts?: boolean;
 }
 
 /** A mesh, with notes for the caption on what was left out. */

@@ -86,6 +86,7 @@ export function compact(mesh: PlainMesh, indices: Uint32Array): PlainMesh {
     indices: indices.map((vertex) => renumbered[vertex] - 1),
     ...(mesh.uvs && { uvs: pick(mesh.uvs, 2) }),
     ...(mesh.isOneSided !== undefined && { isOneSided: mesh.isOneSided }),
+    ...(mesh.castsFronts && { castsFronts: true }),
     ...(mesh.parts && { parts: { ...mesh.parts, ofVertices: pick(mesh.parts.ofVertices, 1) } }),
   };
 }

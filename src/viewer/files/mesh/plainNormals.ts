@@ -5,11 +5,17 @@ const LEAST_TRIANGLES = 100_000;
 /** Meshes with more triangles are slow to light, upload and draw; a coarse copy is their placeholder. */
 const MOST_TRIANGLES = 400_000;
 
+/** Whether a mesh looks the same all over, apart from its shadows. */
+const isAlike = ({ ranges = [] }: PlainMesh): boolean =>
+  ranges.every(
+    ({ picture, isSeeThrough, isOneSided }) => picture === -1 && !isSeeThrough && isOneSided === ranges[0].isOneSided,
+  );
+
 /**
  * Whether a mesh needs a coarse copy as placeholder until it is baked. Meshes with pictures, which are decoded once, or with glass have
  * none.
  */
-export const needsCoarse = (mesh: PlainMesh): boolean => !mesh.ranges && triangleCount(mesh) > MOST_TRIANGLES;
+export const needsCoarse = (mesh: PlainMesh): boolean => isAlike(mesh) && triangleCount(mesh) > MOST_TRIANGLES;
 
 /**
  * The normals of {@link meanNormals}; null for a mesh that is not its own placeholder: a small or a large one, or one with pictures or
@@ -17,7 +23,7 @@ export const needsCoarse = (mesh: PlainMesh): boolean => !mesh.ranges && triangl
  */
 export function plainNormals(mesh: PlainMesh): Float32Array | null {
   const isSmall = triangleCount(mesh) < LEAST_TRIANGLES;
-  return isSmall || mesh.ranges || needsCoarse(mesh) ? null : meanNormals(mesh);
+  return isSmall || !isAlike(mesh) || needsCoarse(mesh) ? null : meanNormals(mesh);
 }
 
 /** Normals for drawing a mesh until it is baked: its own, or area-weighted vertex normals where it has none. */
@@ -73,7 +79,8 @@ function areAllSet(normals: Float32Array): boolean {
 }
 
 /** Whether the back faces of a mesh are hidden before it is baked: by the file, or because it is closed. */
-export const hidesBacks = (mesh: PlainMesh): boolean => mesh.isOneSided ?? isClosed(mesh);
+export const hidesBacks = (mesh: PlainMesh): boolean =>
+  mesh.isOneSided ?? mesh.ranges?.[0].isOneSided ?? isClosed(mesh);
 
 /**
  * Whether the triangles of a mesh form a closed surface with consistent winding: each edge occurs as often in one direction as in the

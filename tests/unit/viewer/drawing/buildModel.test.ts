@@ -1,4 +1,4 @@
-import { DoubleSide, FrontSide, Vector3 } from 'three';
+import { DoubleSide, FrontSide, type Material, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import { meshesOf } from '../../../../src/viewer/drawing/meshes.js';
@@ -147,6 +147,63 @@ describe('the sides of surfaces', () => {
   test('are both where that is asked for', async () => {
     expect(await sidesOf(true, true)).toEqual([DoubleSide, DoubleSide]);
     expect(await sidesOf(false, true)).toEqual([DoubleSide]);
+  });
+});
+
+describe('the sides that cast shadows', () => {
+  const CLOSED = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+  const OPEN = CLOSED.slice(0, 9);
+  const INWARD = CLOSED.toReversed();
+
+  /** The sides that cast the shadows of tetrahedrons side by side, which share a material; null is three's default. */
+  async function castingOf(shapes: number[][], isMoving: boolean, material: object = {}): Promise<(number | null)[]> {
+    const builder = tetrahedron();
+    const { json } = builder;
+    const [{ attributes }] = json.meshes[0].primitives;
+    json.materials = [material];
+    json.meshes = shapes.map((shape) => ({
+      primitives: [{ attributes, indices: builder.accessor(Uint16Array.from(shape), 'SCALAR'), material: 0 }],
+    }));
+    json.nodes = shapes.map((_, mesh) => ({ mesh, translation: [3 * mesh, 0, 0] }));
+    json.scenes[0].nodes = shapes.map((_, node) => node);
+    const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
+    if (isMoving) addTrack(builder, 'translation', times, builder.accessor(Float32Array.of(0, 0, 0, 1, 0, 0), 'VEC3'));
+    const { model } = await draw('casts.glb', builder.glb() as Uint8Array<ArrayBuffer>);
+    const casting = meshesOf(model.root).flatMap(({ material, geometry }) => {
+      if (!Array.isArray(material)) return [material.shadowSide];
+      return geometry.groups.map(({ materialIndex }) => (material as Material[])[materialIndex!].shadowSide);
+    });
+    model.dispose();
+    return casting;
+  }
+
+  test.each([false, true])(
+    'are the fronts of one-sided surfaces that are open or face inward; moving: %s',
+    async (isMoving) => {
+      expect(await castingOf([CLOSED], isMoving)).toEqual([null]);
+      expect(await castingOf([OPEN], isMoving)).toEqual([FrontSide]);
+      expect(await castingOf([INWARD], isMoving)).toEqual([FrontSide]);
+      expect(await castingOf([OPEN], isMoving, { doubleSided: true })).toEqual([null]);
+      const both = await castingOf([OPEN, CLOSED], isMoving);
+      expect(both.toSorted()).toEqual([FrontSide, null]);
+    },
+  );
+
+  test.each([false, true])('are the usual ones of a body of two meshes; moving: %s', async (isMoving) => {
+    const builder = tetrahedron();
+    const { json } = builder;
+    const [primitive] = json.meshes[0].primitives;
+    const part = (corners: number[]) => ({
+      ...primitive,
+      indices: builder.accessor(Uint16Array.from(corners), 'SCALAR'),
+    });
+    json.meshes[0].primitives = [part(CLOSED.slice(0, 6)), part(CLOSED.slice(6))];
+    const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
+    if (isMoving) addTrack(builder, 'translation', times, builder.accessor(Float32Array.of(0, 0, 0, 1, 0, 0), 'VEC3'));
+    const { model } = await draw('body.glb', builder.glb() as Uint8Array<ArrayBuffer>);
+    for (const { material } of meshesOf(model.root))
+      expect([material].flat().map(({ shadowSide }) => shadowSide)).toEqual([null]);
+    model.dispose();
   });
 });
 
