@@ -34,6 +34,8 @@ bool zeroSet(
 Piece contour(const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c) {
   Piece piece = noPiece();
   if (zeroSet(a, b, c, vec3(a.facing, b.facing, c.facing), piece.start, piece.end)) {
+    // The back has its contours where the front bends towards the eye.
+    if (showsBack && piece.start.bend + piece.end.bend < 0.0) turnToBack(piece);
     weigh(piece.start, contours * taperAt(piece.start.bend), 0.0);
     weigh(piece.end, contours * taperAt(piece.end.bend), 0.0);
     piece.contour = 1.0;

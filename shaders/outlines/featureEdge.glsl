@@ -5,7 +5,6 @@ uniform float creases;
 uniform float materialBorders;
 uniform float intersections;
 uniform float overshoot; // pixels
-uniform bool showsBack; // whether the back of the surface can be seen
 
 // The part of the edge, as t from start to end, where one side faces the eye and the other does not. false if there is none.
 bool contourAlong(const in vec2 left, const in vec2 right, out vec2 part) {
@@ -24,12 +23,14 @@ bool contourAlong(const in vec2 left, const in vec2 right, out vec2 part) {
   return part.x < part.y;
 }
 
-// The normal of the visible side.
-vec3 seenNormal(const in OutlinePoint left, const in OutlinePoint right, const in float sign) {
-  if (left.facing > 0.0 && sign * right.facing > 0.0) return left.normal + sign * right.normal;
-  if (left.facing > 0.0) return left.normal;
-  if (sign * right.facing > 0.0) return sign * right.normal;
-  return -left.normal - sign * right.normal;
+// The normal of the visible side, towards the eye. Where one side faces the eye and the other does not, the back of the other hides it at a
+// concave edge.
+vec3 seenNormal(const in OutlinePoint left, const in OutlinePoint right, const in float sign, const in bool isConcave) {
+  bool isLeft = left.facing > 0.0;
+  bool isRight = sign * right.facing > 0.0;
+  if (isLeft == isRight) return (isLeft ? 1.0 : -1.0) * (left.normal + sign * right.normal);
+  bool isFront = !(showsBack && isConcave);
+  return (isFront ? 1.0 : -1.0) * (isLeft == isFront ? left.normal : sign * right.normal);
 }
 
 Piece featureEdge(
@@ -77,10 +78,12 @@ Piece featureEdge(
   } else {
     return piece;
   }
-  piece.start.normal = seenNormal(leftStart, rightStart, sign);
-  piece.end.normal = seenNormal(leftEnd, rightEnd, sign);
   vec3 turn = cross(leftStart.normal, sign * rightStart.normal);
-  // What is a ridge in front is a valley at the back.
-  piece.isValley = !isBorder && (dot(turn, leftEnd.position - leftStart.position) < 0.0) != (showsBack && isBehind);
+  bool isConcave = dot(turn, leftEnd.position - leftStart.position) < 0.0;
+  piece.start.normal = seenNormal(leftStart, rightStart, sign, isConcave);
+  piece.end.normal = seenNormal(leftEnd, rightEnd, sign, isConcave);
+  // What is a ridge in front is a valley at the back, and the other way round.
+  bool isTurned = showsBack && (isBehind || (hasContour && isConcave));
+  piece.isValley = !isBorder && isConcave != isTurned;
   return piece;
 }

@@ -16,6 +16,7 @@ struct Piece {
   float contour; // share of the piece that is a contour or a border
   bool isSmooth; // whether it lies on a surface, not on an edge
   bool isValley; // whether it is a concave edge
+  float side; // 1 if it is seen from the front of the surface, -1 from the back
 };
 
 PieceEnd noEnd() {
@@ -23,7 +24,7 @@ PieceEnd noEnd() {
 }
 
 Piece noPiece() {
-  return Piece(noEnd(), noEnd(), 0.0, 0.0, 0.0, true, false);
+  return Piece(noEnd(), noEnd(), 0.0, 0.0, 0.0, true, false, 1.0);
 }
 
 bool isPiece(const in Piece piece) {
@@ -35,6 +36,17 @@ PieceEnd endBetween(const in OutlinePoint a, const in OutlinePoint b, const in f
   return PieceEnd(
     mix(a.position, b.position, t), mix(a.anchor, b.anchor, t), mix(a.normal, b.normal, t), 0.0, 0.0, mix(a.bend, b.bend, t), 0.0
   );
+}
+
+uniform bool showsBack; // whether the back of the surface can be seen
+
+// Makes a piece one that is seen from the back of the surface.
+void turnToBack(inout Piece piece) {
+  piece.side = -1.0;
+  piece.start.normal *= -1.0;
+  piece.end.normal *= -1.0;
+  piece.start.bend *= -1.0;
+  piece.end.bend *= -1.0;
 }
 
 uniform float innerContours; // weight of contours and borders before a surface, as a share of that before paper
@@ -58,5 +70,5 @@ void measureExtent(inout Piece piece, const in OutlinePoint a, const in OutlineP
   piece.extent = max(max(depths.x, depths.y), depths.z) - min(min(depths.x, depths.y), depths.z);
   // A triangle that faces away is hidden by its neighbours, even where the smooth surface has its contour on it.
   vec3 n = cross(ab, ac);
-  piece.ownCover = dot(n, v) * dot(n, a.normal + b.normal + c.normal) > 0.0 ? 0.0 : piece.extent;
+  piece.ownCover = dot(n, v) * dot(n, piece.side * (a.normal + b.normal + c.normal)) > 0.0 ? 0.0 : piece.extent;
 }

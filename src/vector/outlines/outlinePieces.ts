@@ -66,6 +66,8 @@ class PieceFinder {
 
   private readonly normalOf = (p: number): Vec3 => vectorAt(this.mesh.normals, 3 * p);
 
+  private readonly seenFrom = (side: number, p: number): Vec3 => combined(side, this.normalOf(p), 0, NONE);
+
   private curved(p: number, [x, y, z]: Vec3): Vec3 {
     const k = this.mesh.curvatures;
     const o = 6 * p;
@@ -119,10 +121,17 @@ class PieceFinder {
     return [zero(one), zero(two)];
   }
 
-  private smoothPiece(triangle: number, [start, end]: readonly [PieceEnd, PieceEnd], contour: number): OutlinePiece {
+  /** @param side 1 if it is seen from the front of the surface, −1 from the back */
+  private smoothPiece(
+    triangle: number,
+    ends: readonly [PieceEnd, PieceEnd],
+    contour: number,
+    side: number,
+  ): OutlinePiece {
+    const [start, end] = ends;
     const [a, b, c] = this.cornersOf(triangle);
     const corners = [this.positionOf(a), this.positionOf(b), this.positionOf(c)] as const;
-    const normals = [this.normalOf(a), this.normalOf(b), this.normalOf(c)] as const;
+    const normals = [this.seenFrom(side, a), this.seenFrom(side, b), this.seenFrom(side, c)] as const;
     const toEye = this.toEye(corners[0]);
     const extent = depthAcross(corners, start.position, end.position, toEye);
     const ownCover = looksAway(corners, normals, toEye) ? extent : 0;
@@ -134,31 +143,37 @@ class PieceFinder {
     const { facing, look } = this;
     const ends = this.zeroSet(triangle, facing);
     if (!ends) return null;
-    for (const side of ends) this.weigh(side, look.contours * taperAt(side.bend, look.taper), 0);
-    return this.smoothPiece(triangle, ends, 1);
+    // The back has its contours where the front bends towards the eye.
+    const side = look.showsBack && ends[0].bend + ends[1].bend < 0 ? -1 : 1;
+    turnTo(side, ends);
+    for (const end of ends) this.weigh(end, look.contours * taperAt(end.bend, look.taper), 0);
+    return this.smoothPiece(triangle, ends, 1, side);
   }
 
-  /** The zero set of the curvature along the line of sight, where the triangle faces the eye. */
+  /** The zero set of the curvature along the line of sight, where the triangle or its back faces the eye. */
   suggestiveContour(triangle: number): OutlinePiece | null {
-    const { suggestiveContours } = this.look;
+    const { suggestiveContours, showsBack } = this.look;
     const corners = this.cornersOf(triangle);
-    if (suggestiveContours === 0 || corners.some((p) => this.facing[p] <= 0)) return null;
+    const isBehind = showsBack && corners.every((p) => this.facing[p] < 0);
+    if (suggestiveContours === 0 || (!isBehind && corners.some((p) => this.facing[p] <= 0))) return null;
     const ends = this.zeroSet(triangle, this.bend);
     if (!ends) return null;
+    const side = isBehind ? -1 : 1;
+    turnTo(side, ends);
     const [a, b, c] = corners.map((p) => ({
       position: this.positionOf(p),
-      normal: this.normalOf(p),
-      bend: this.bend[p],
+      normal: this.seenFrom(side, p),
+      bend: side * this.bend[p],
     }));
     const sum = combined(1, combined(1, a.position, 1, b.position), 1, c.position);
     const toEye = this.toEye(combined(1 / 3, sum, 0, sum));
     const weight = suggestiveContours * suggestiveShare([a, b, c], toEye, this.mesh.radius);
-    for (const side of ends) {
-      this.weigh(side, 0, weight);
+    for (const end of ends) {
+      this.weigh(end, 0, weight);
       // A contour that crosses the same edge is not joined to it.
-      side.key = `s${side.key}`;
+      end.key = `s${end.key}`;
     }
-    return this.smoothPiece(triangle, ends, 0);
+    return this.smoothPiece(triangle, ends, 0, side);
   }
 
   featureEdge(edge: FeatureEdge): OutlinePiece | null {
@@ -174,7 +189,13 @@ class PieceFinder {
     const ofSurface = Math.max(edge.isCrease ? look.creases : 0, edge.isMaterialBorder ? look.materialBorders : 0);
     const whole = isIntersection ? look.intersections : ofSurface;
     const isContour = [left[0] * right[0] < 0, left[1] * right[1] < 0].map((isOne) => isOne && !isIntersection);
-    const normals = [this.seenNormal(leftStart, rightStart, sign), this.seenNormal(leftEnd, rightEnd, sign)] as const;
+    const turn = cross(this.normalOf(leftStart), this.seenFrom(sign, rightStart));
+    const along = combined(1, this.positionOf(leftEnd), -1, this.positionOf(leftStart));
+    const isConcave = dot(turn, along) < 0;
+    const normals = [
+      this.seenNormal(leftStart, rightStart, sign, isConcave),
+      this.seenNormal(leftEnd, rightEnd, sign, isConcave),
+    ] as const;
     let part: readonly [number, number] | null = [0, 1];
     let contour = isBorder ? 1 : 0.5 * (Number(isContour[0]) + Number(isContour[1]));
     if (isIntersection && whole === 0) return null;
@@ -194,10 +215,9 @@ class PieceFinder {
       else if (whole > 0) this.weigh(end, isContour[i] ? look.contours : 0, whole);
       else this.weigh(end, look.contours, 0);
     }
-    const turn = cross(this.normalOf(leftStart), combined(sign, this.normalOf(rightStart), 0, [0, 0, 0]));
-    const along = combined(1, this.positionOf(leftEnd), -1, this.positionOf(leftStart));
-    // What is a ridge in front is a valley at the back.
-    const isValley = !isBorder && dot(turn, along) < 0 !== (look.showsBack && isBehind);
+    // What is a ridge in front is a valley at the back, and the other way round.
+    const isTurned = look.showsBack && (isBehind || (isConcave && contourAlong(left, right) !== null));
+    const isValley = !isBorder && isConcave !== isTurned;
     return { start: ends[0], end: ends[1], isSmooth: false, contour, extent: 0, ownCover: 0, isValley };
   }
 
@@ -213,12 +233,26 @@ class PieceFinder {
     return { ...end, key: isLeft ? pairKey(leftStart, leftEnd) : pairKey(rightStart, rightEnd) };
   }
 
-  /** The normal of the visible side. */
-  private seenNormal(left: number, right: number, sign: number): Vec3 {
-    const [n, m] = [this.normalOf(left), this.normalOf(right)];
-    if (this.facing[left] > 0 && sign * this.facing[right] > 0) return combined(1, n, sign, m);
-    if (this.facing[left] > 0) return n;
-    return sign * this.facing[right] > 0 ? combined(sign, m, 0, m) : combined(-1, n, -sign, m);
+  /**
+   * The normal of the visible side, towards the eye. Where one side faces the eye and the other does not, the back of the other hides it
+   * at a concave edge.
+   */
+  private seenNormal(left: number, right: number, sign: number, isConcave: boolean): Vec3 {
+    const [n, m] = [this.normalOf(left), this.seenFrom(sign, right)];
+    const [isLeft, isRight] = [this.facing[left] > 0, sign * this.facing[right] > 0];
+    if (isLeft === isRight) return isLeft ? combined(1, n, 1, m) : combined(-1, n, -1, m);
+    const isFront = !(this.look.showsBack && isConcave);
+    return combined(isFront ? 1 : -1, isLeft === isFront ? n : m, 0, NONE);
+  }
+}
+
+const NONE: Vec3 = [0, 0, 0];
+
+/** Turns the ends of a smooth piece to the side of the surface that is seen: 1 for the front, −1 for the back. */
+function turnTo(side: number, ends: readonly PieceEnd[]): void {
+  for (const end of ends) {
+    end.normal = combined(side, end.normal, 0, NONE);
+    end.bend *= side;
   }
 }
 

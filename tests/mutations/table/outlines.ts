@@ -147,4 +147,37 @@ export const outlines: readonly Mutation[] = [
       title: 'no outline shows through',
     },
   },
+  {
+    name: 'the back of a smooth surface has no contours',
+    file: 'shaders/outlines/contour.glsl',
+    find: 'piece.start.bend + piece.end.bend < 0.0',
+    replace: 'false',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/twoSides.spec.ts',
+      title: 'a bowl…, turned inside out: …outlines',
+    },
+  },
+  {
+    name: 'the shade of an edge is that of the side which the other hides',
+    file: 'shaders/outlines/featureEdge.glsl',
+    find: '!(showsBack && isConcave)',
+    replace: 'true',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/twoSides.spec.ts',
+      title: 'a box without a lid…, turned inside out: …outlines',
+    },
+  },
+  {
+    name: 'the back of a smooth surface has no contours, as lines',
+    file: 'src/vector/outlines/outlinePieces.ts',
+    find: 'ends[0].bend + ends[1].bend < 0 ? -1 : 1',
+    replace: 'ends[0].bend + ends[1].bend < 0 ? 1 : 1',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/svg/twoSides.test.ts',
+      title: 'outlines of a bowl… are the same when it is turned inside out',
+    },
+  },
 ];

@@ -1,7 +1,7 @@
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
-import { endBetween, type Piece, type PieceEnd, weigh } from './piece.js';
+import { endBetween, type Piece, type PieceEnd, showsBack, turnToBack, weigh } from './piece.js';
 import { type OutlinePoint, radius, towardsEye } from './points.js';
 
 const { bool, cross, dot, float, If, length, max, min, normalize, select, smoothstep, step } = tsl;
@@ -53,6 +53,10 @@ export function contour(piece: Piece, a: OutlinePoint, b: OutlinePoint, c: Outli
   If(
     zeroSet([a, b, c], ({ facing }) => facing, piece.start, piece.end),
     () => {
+      // The back has its contours where the front bends towards the eye.
+      If(showsBack().and(piece.start.bend.add(piece.end.bend).lessThan(0)), () => {
+        turnToBack(piece);
+      });
       for (const end of [piece.start, piece.end]) weigh(end, contours.mul(taperAt(end.bend)).toVar(), float(0));
       piece.contour.assign(1);
     },
@@ -64,10 +68,16 @@ export function contour(piece: Piece, a: OutlinePoint, b: OutlinePoint, c: Outli
 export const suggestiveContours: Value = /* @__PURE__ */ hatchingUniform('suggestiveContours', 'float');
 
 export function suggestiveContour(piece: Piece, a: OutlinePoint, b: OutlinePoint, c: OutlinePoint, eye: Value): void {
-  If(min(min(a.facing, b.facing), c.facing).greaterThan(0), () => {
+  const isBehind = showsBack()
+    .and(max(max(a.facing, b.facing), c.facing).lessThan(0))
+    .toVar();
+  If(min(min(a.facing, b.facing), c.facing).greaterThan(0).or(isBehind), () => {
     If(
       zeroSet([a, b, c], ({ bend }) => bend, piece.start, piece.end),
       () => {
+        If(isBehind, () => {
+          turnToBack(piece);
+        });
         // The gradient of the curvature, which is linear over the triangle.
         const ab = b.position.sub(a.position).toVar();
         const ac = c.position.sub(a.position).toVar();
@@ -80,7 +90,7 @@ export function suggestiveContour(piece: Piece, a: OutlinePoint, b: OutlinePoint
         const v = normalize(towardsEye(a.position.add(b.position).add(c.position).div(3), eye)).toVar();
         const w = v.sub(dot(normal, v).mul(normal)).toVar();
         const lean = length(w).toVar();
-        const growth = radius.mul(dot(gradient, w)).div(max(lean, 1e-6));
+        const growth = piece.side.mul(radius).mul(dot(gradient, w)).div(max(lean, 1e-6));
         const seen = growth.mul(smoothstep(LEAST_LEAN, FULL_LEAN, lean));
         const weight = suggestiveContours.mul(smoothstep(LEAST_GROWTH, FULL_GROWTH, seen)).toVar();
         weigh(piece.start, float(0), weight);

@@ -11,7 +11,7 @@ import {
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { contours } from './contour.js';
-import { endBetween, type Piece, weigh } from './piece.js';
+import { endBetween, type Piece, showsBack, weigh } from './piece.js';
 import type { OutlinePoint } from './points.js';
 import { hasFlag } from './points.js';
 
@@ -22,7 +22,6 @@ const creases = /* @__PURE__ */ hatchingUniform('creases', 'float');
 const materialBorders = /* @__PURE__ */ hatchingUniform('materialBorders', 'float');
 const intersections = /* @__PURE__ */ hatchingUniform('intersections', 'float');
 const overshoot = /* @__PURE__ */ hatchingUniform('overshoot', 'float');
-const showsBack = /* @__PURE__ */ hatchingUniform('showsBack', 'float');
 
 /** The part of the edge, as t from start to end, where one side faces the eye and the other does not. */
 function contourAlong(left: Value, right: Value): { hasContour: Value; part: Value } {
@@ -53,15 +52,20 @@ function contourAlong(left: Value, right: Value): { hasContour: Value; part: Val
   return { hasContour, part };
 }
 
-/** The normal of the visible side. */
-function seenNormal(left: OutlinePoint, right: OutlinePoint, sign: Value): Value {
-  const isLeftSeen = left.facing.greaterThan(0);
-  const isRightSeen = sign.mul(right.facing).greaterThan(0);
+/**
+ * The normal of the visible side, towards the eye. Where one side faces the eye and the other does not, the back of the other hides it at
+ * a concave edge.
+ */
+function seenNormal(left: OutlinePoint, right: OutlinePoint, sign: Value, isConcave: Value): Value {
+  const isLeft = left.facing.greaterThan(0).toVar();
+  const isRight = sign.mul(right.facing).greaterThan(0).toVar();
   const ofRight = sign.mul(right.normal).toVar();
+  const isFront = showsBack().and(isConcave).not().toVar();
+  const towards = (is: Value): Value => select(is, float(1), float(-1));
   return select(
-    isLeftSeen,
-    select(isRightSeen, left.normal.add(ofRight), left.normal),
-    select(isRightSeen, ofRight, left.normal.add(ofRight).negate()),
+    isLeft.equal(isRight),
+    towards(isLeft).mul(left.normal.add(ofRight)),
+    towards(isFront).mul(select(isLeft.equal(isFront), left.normal, ofRight)),
   );
 }
 
@@ -85,7 +89,7 @@ export function featureEdge(
   const isBorder = hasFlag(flags, BORDER).toVar();
   const isAlways = isBorder.or(isIntersection).toVar();
   const isBehind = max(max(left.x, left.y), max(right.x, right.y)).lessThanEqual(0).toVar();
-  const isShown = showsBack.greaterThan(0.5).toVar();
+  const isShown = showsBack().toVar();
   // What lies on a surface is invisible if both sides face away, unless the back shows. Lines where surfaces meet show from behind.
   const canBeSeen = isHidden ? bool(true) : isIntersection.or(isShown).or(isBehind.not());
   If(canBeSeen, () => {
@@ -114,11 +118,12 @@ export function featureEdge(
         weigh(end, contours, float(0));
       });
     });
-    start.normal.assign(seenNormal(leftStart, rightStart, sign));
-    end.normal.assign(seenNormal(leftEnd, rightEnd, sign));
     const turn = cross(leftStart.normal, sign.mul(rightStart.normal));
-    const isConcave = dot(turn, leftEnd.position.sub(leftStart.position)).lessThan(0);
-    // What is a ridge in front is a valley at the back.
-    piece.isValley.assign(isBorder.not().and(select(isShown.and(isBehind), isConcave.not(), isConcave)));
+    const isConcave = dot(turn, leftEnd.position.sub(leftStart.position)).lessThan(0).toVar();
+    start.normal.assign(seenNormal(leftStart, rightStart, sign, isConcave));
+    end.normal.assign(seenNormal(leftEnd, rightEnd, sign, isConcave));
+    // What is a ridge in front is a valley at the back, and the other way round.
+    const isTurned = isShown.and(isBehind.or(hasContour.and(isConcave))).toVar();
+    piece.isValley.assign(isBorder.not().and(isConcave.notEqual(isTurned)));
   });
 }

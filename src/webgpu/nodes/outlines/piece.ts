@@ -36,6 +36,8 @@ export interface Piece {
   isSmooth: Value;
   /** Whether it is a concave edge. */
   isValley: Value;
+  /** 1 if it is seen from the front of the surface, −1 from the back. */
+  side: Value;
 }
 
 const noEnd = (): PieceEnd => ({
@@ -56,6 +58,7 @@ export const noPiece = (): Piece => ({
   contour: float(0).toVar(),
   isSmooth: bool(true).toVar(),
   isValley: bool(false).toVar(),
+  side: float(1).toVar(),
 });
 
 export const isPiece = ({ start, end }: Piece): Value =>
@@ -68,6 +71,19 @@ export function endBetween(end: PieceEnd, a: OutlinePoint, b: OutlinePoint, t: V
   end.anchor.assign(mix(a.anchor, b.anchor, at));
   end.normal.assign(mix(a.normal, b.normal, at));
   end.bend.assign(mix(a.bend, b.bend, at));
+}
+
+/** 1 if the back of the surface can be seen, else 0. */
+const backShown = /* @__PURE__ */ hatchingUniform('showsBack', 'float');
+export const showsBack = (): Value => backShown.greaterThan(0.5);
+
+/** Makes a piece one that is seen from the back of the surface. */
+export function turnToBack({ start, end, side }: Piece): void {
+  side.assign(-1);
+  for (const { normal, bend } of [start, end]) {
+    normal.assign(normal.negate());
+    bend.assign(bend.negate());
+  }
 }
 
 const innerContours = /* @__PURE__ */ hatchingUniform('innerContours', 'float');
@@ -95,7 +111,7 @@ export function measureExtent(piece: Piece, a: OutlinePoint, b: OutlinePoint, c:
   // A triangle that faces away is hidden by its neighbours, even where the smooth surface has its contour on it.
   const n = cross(ab, ac).toVar();
   const isFacing = dot(n, v)
-    .mul(dot(n, a.normal.add(b.normal).add(c.normal)))
+    .mul(dot(n, piece.side.mul(a.normal.add(b.normal).add(c.normal))))
     .greaterThan(0);
   piece.ownCover.assign(select(isFacing, float(0), piece.extent));
 }
