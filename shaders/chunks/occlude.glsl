@@ -2,14 +2,16 @@
 // cavities must show under any light: it loses as much where most of the sky is hidden, and nearly nothing elsewhere, so that open forms
 // keep their lights.
 uniform float occlusion; // strength of ambient occlusion
+uniform float openOcclusion; // the occlusion of the open parts of a room, which count as open to the sky; 0 elsewhere
 
-// The baked occlusion of the side that is seen.
+// The baked occlusion of the side that is seen, relative to that of the open parts.
 float occluded() {
   #ifdef DOUBLE_SIDED
-    return gl_FrontFacing ? vOcclusion.x : vOcclusion.y;
+    float baked = gl_FrontFacing ? vOcclusion.x : vOcclusion.y;
   #else
-    return vOcclusion;
+    float baked = vOcclusion;
   #endif // DOUBLE_SIDED
+  return max(baked - openOcclusion, 0.0) / (1.0 - openOcclusion);
 }
 
 float openToSky() {

@@ -68,6 +68,7 @@ export function createHatchingUniforms(): Uniforms {
       highlightRamp: { value: new Vector2() },
       layerTurns: { value: new Vector4() },
       opacity: { value: 1 },
+      openOcclusion: { value: 0 },
       strokeDirection: { value: new Vector2() },
       strokeTransform: { value: new Matrix3() },
       texelPixels: { value: 1 },
@@ -248,6 +249,7 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
   const { exposure, exposureCompensation } = material.composition;
   u.exposure.value.set(typeof exposure === 'number' ? exposure : isFitted(material) ? exposureCompensation : 1, 0);
   u.colorExposure.value = 1;
+  u.openOcclusion.value = 0;
   writeFilter(LUMINANCE, 0, u.colorFilter.value);
   const ramp = u.highlightRamp.value.set(
     0.5 / highlightReach,

@@ -1,4 +1,5 @@
 import { TONE_CONSTANTS } from '../look/constants/shadingConstants.js';
+import { relativeOcclusion } from '../look/relativeOcclusion.js';
 import { radianceAround, type Surroundings } from '../look/surroundings.js';
 import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
@@ -95,8 +96,9 @@ export class ToneReader {
     return this.look.receivesShadows && this.light.lamps.some(({ castsShadow }) => castsShadow);
   }
 
-  read({ world, toneNormal, isPlane, occlusion: occluded, paint }: SurfacePlace, shadowing: Shadowing): Tones {
+  read({ world, toneNormal, isPlane, occlusion, paint }: SurfacePlace, shadowing: Shadowing): Tones {
     const { look, projection } = this;
+    const occluded = relativeOcclusion(occlusion, look.openOcclusion);
     const { eye, backwards, isOrthographic } = projection;
     const toViewer = isOrthographic ? backwards : normalize(combined(1, eye, -1, world));
     let direct = 0;

@@ -9,7 +9,8 @@ import {
   type SkinnedMesh,
   Vector3,
 } from 'three';
-import { lightness, luminanceOf } from '../../look/vectors.js';
+import { relativeOcclusion } from '../../look/relativeOcclusion.js';
+import { lightness, luminanceOf, smoothstep } from '../../look/vectors.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import { type Arriving, LightsAround } from './LightsAround.js';
 import { openToLamps } from './openToLamps.js';
@@ -106,7 +107,7 @@ export function fitTones(
   arriving: WeightedValues,
   wanted: WeightedValues,
   lightness: WeightedValues,
-): Omit<ToneFit, 'plan'> {
+): Pick<ToneFit, 'scale' | 'offset' | 'white'> {
   const white = lightness.isEmpty ? 1 : Math.min(1, Math.max(MIN_WHITE, lightness.quantile(WHITE)));
   const bright = arriving.quantile(BRIGHT);
   const wantedBright = wanted.quantile(BRIGHT);
@@ -149,11 +150,12 @@ const emittedBy = ({ emissive, emissiveIntensity, emissiveMap }: HatchingMateria
 
 /** The exposure of a scene, fitted to its lights and kept until something changes. */
 export class ExposureFit {
-  readonly fit: ToneFit = { scale: 1, offset: 0, white: 1, plan: NO_PLAN };
+  readonly fit: ToneFit = { scale: 1, offset: 0, white: 1, openOcclusion: 0, plan: NO_PLAN };
   private readonly contents = new SceneContents();
   private readonly arriving = new WeightedValues();
   private readonly wanted = new WeightedValues();
   private readonly lightness = new WeightedValues();
+  private readonly fromAbove = new WeightedValues();
   private readonly colors = new WeightedColors();
   private isStale = true;
 
@@ -165,21 +167,21 @@ export class ExposureFit {
   update(scene: Object3D, layers: number): ToneFit {
     if (!this.contents.read(scene, layers) && !this.isStale) return this.fit;
     this.isStale = false;
-    const { arriving, wanted, lightness, colors, contents } = this;
-    for (const values of [arriving, wanted, lightness, colors]) values.clear();
-    const places = placesOf(contents);
+    const { arriving, wanted, lightness, fromAbove, colors, contents } = this;
+    for (const values of [arriving, wanted, lightness, fromAbove, colors]) values.clear();
+    const all = placesOf(contents);
+    const openOcclusion = openOcclusionOf(all, fromAbove);
+    const places = formedAmong(all);
     const lights = new LightsAround(contents);
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
-    for (const place of places) addPlace({ arriving, lightness, colors }, place, lights, area);
+    for (const place of places) addPlace({ arriving, lightness, colors }, place, lights, area, openOcclusion);
     for (const [material, share] of responsesOf(places)) addSphere(wanted, material, share);
-    return Object.assign(this.fit, fitTones(arriving, wanted, lightness), { plan: planValues(colors.means) });
+    const plan = planValues(colors.means);
+    return Object.assign(this.fit, fitTones(arriving, wanted, lightness), { openOcclusion, plan });
   }
 }
 
-/**
- * The places of surfaces. Flat surfaces are left out unless all are flat: a ground or a wall says nothing about the form of what stands
- * there.
- */
+/** The places of surfaces. */
 function placesOf({ meshes, materials }: SceneContents): Place[] {
   const step = Math.max(1, Math.ceil(meshes.length / MAX_MESHES));
   const { least, most } = SAMPLES_OF_ONE;
@@ -197,6 +199,11 @@ function placesOf({ meshes, materials }: SceneContents): Place[] {
       places.push({ samples, material: materials[i], toWorld, weight, area });
     }
   }
+  return places;
+}
+
+/** All places but those of flat surfaces, unless all are flat: a ground or a wall says nothing about the form of what stands there. */
+function formedAmong(places: readonly Place[]): readonly Place[] {
   const formed = places.filter(({ samples }) => !samples.isFlat);
   return formed.length > 0 ? formed : places;
 }
@@ -231,6 +238,41 @@ const normal = /* @__PURE__ */ new Vector3();
 const toWorldNormal = /* @__PURE__ */ new Matrix3();
 const light: Arriving = { direct: 0, indirect: 0, reflected: 0 };
 
+/** The cosine to the vertical above which a surface is level. */
+const LEVEL = 0.95;
+/** The share of what is seen from above by whose occlusion rooms are told, and the occlusions from which on it may be and is a room. */
+const ROOM = { share: 0.4, from: 0.3, to: 0.45 };
+/** The shares in all that is seen from anywhere from which on level surfaces may be and are a floor. */
+const FLOOR = { from: 0.03, to: 0.05 };
+
+/**
+ * The occlusion that counts as open: 0, unless nearly all that is seen from above is a floor with walls around it. What is not level
+ * counts as open, since rooms have floors.
+ */
+function openOcclusionOf(places: readonly Place[], fromAbove: WeightedValues): number {
+  let [level, all] = [0, 0];
+  for (const { samples, material, toWorld, weight, area } of places) {
+    const { normals, occlusion, count } = samples;
+    toWorldNormal.getNormalMatrix(toWorld);
+    for (let i = 0; i < count; i++) {
+      const { y } = normal
+        .fromArray(normals, 3 * i)
+        .applyMatrix3(toWorldNormal)
+        .normalize();
+      for (const side of material.side === DoubleSide ? [0, 1] : [material.side === BackSide ? 1 : 0]) {
+        const upwards = side === 0 ? y : -y;
+        const occluded = occlusion[2 * i + side];
+        const seen = (weight * area * (1 - occluded)) / count;
+        all += seen;
+        if (upwards > LEVEL) level += seen;
+        fromAbove.add(upwards > LEVEL ? occluded : 0, seen * upwards);
+      }
+    }
+  }
+  const floor = fromAbove.quantile(ROOM.share);
+  return floor * smoothstep(ROOM.from, ROOM.to, floor) * smoothstep(FLOOR.from, FLOOR.to, level / all);
+}
+
 /** What is known of the surfaces of a scene, by their area. */
 interface Seen {
   arriving: WeightedValues;
@@ -241,7 +283,7 @@ interface Seen {
 const color = /* @__PURE__ */ new Float64Array(3);
 
 /** Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. */
-function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number): void {
+function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, openOcclusion: number): void {
   const { samples, material, toWorld, weight } = place;
   const { positions, normals, occlusion } = samples;
   const share = (place.area * weight) / all;
@@ -266,7 +308,7 @@ function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number): 
     const luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
     seen.lightness.add(lightness(Math.min(luminance, 1)), area);
     for (let side = first; side < first + sides; side++) {
-      const occluded = occlusion[2 * i + side];
+      const occluded = relativeOcclusion(occlusion[2 * i + side], openOcclusion);
       // What lies in a hollow is hardly seen.
       seen.colors.add(color, (area * (1 - occluded)) / sides);
       const open = openToLamps(occluded, material.occlusion);

@@ -11,6 +11,8 @@ export interface ToneFit {
   offset: number;
   /** The lightness of colours that are left blank, from 0, black, to 1, white (CIE lightness). Lighter colours are left blank too. */
   white: number;
+  /** The occlusion, from 0 to less than 1, that counts as open to the sky: that of the floor in an open room, 0 elsewhere. */
+  openOcclusion: number;
   /** The plan of values, from the colours of surfaces to darkness. */
   plan: ValuePlan;
 }
@@ -42,12 +44,13 @@ interface FittedComposition {
 
 /** Writes the exposure of a material from a fit. Allocates nothing. */
 export function writeFit(
-  { scale, offset, white, plan }: ToneFit,
+  { scale, offset, white, openOcclusion: open, plan }: ToneFit,
   { composition: { exposureCompensation, plannedValues } }: { readonly composition: FittedComposition },
-  { exposure, colorExposure, colorFilter, valueKnots, valueBends }: Readonly<Record<string, IUniform>>,
+  { exposure, colorExposure, colorFilter, openOcclusion, valueKnots, valueBends }: Readonly<Record<string, IUniform>>,
 ): void {
   exposure.value.set(scale, offset).multiplyScalar(exposureCompensation);
   colorExposure.value = 1 / white;
+  openOcclusion.value = open;
   writeFilter(plan.filter, plannedValues, colorFilter.value);
   valueKnots.value.fromArray(plan.knots);
   valueBends.value.fromArray(plan.bends);

@@ -40,6 +40,8 @@ export interface ToneLook {
   /** Strength of ambient occlusion, and tone of deep hollows. */
   occlusion: number;
   hollowStrength: number;
+  /** The occlusion that counts as open to the sky. */
+  openOcclusion: number;
   /** Darkness of the surface's own colour, as far as it becomes tone. */
   darkness: number;
 }

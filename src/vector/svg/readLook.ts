@@ -97,6 +97,7 @@ export function surfaceLookOf(
     toneEnds: (uniforms.toneEnds.value as Vector2).toArray() as [number, number],
     occlusion,
     hollowStrength,
+    openOcclusion: isFit ? kept.openOcclusion : 0,
     ground: isOfShadows(material) ? groundOf(material) : null,
     darkness: localDarkness([color.r, color.g, color.b], emitted, colorTonesOf(material, fit)),
     opacity: opacityOf(material, geometry),

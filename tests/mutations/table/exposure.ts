@@ -2,6 +2,28 @@ import type { Mutation } from '../Mutation.js';
 
 export const exposure: readonly Mutation[] = [
   {
+    name: 'a bowl is a room',
+    file: 'src/material/exposure/ExposureFit.ts',
+    find: 'upwards > LEVEL ? occluded : 0',
+    replace: 'occluded',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/openOcclusion.test.ts',
+      title: 'is 0 in a bowl, on a table in the open, and for a body whose underside is hidden',
+    },
+  },
+  {
+    name: 'hollows in rooms count from the open sky on, as lines',
+    file: 'src/look/relativeOcclusion.ts',
+    find: 'occluded - open',
+    replace: 'occluded',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/openOcclusion.test.ts',
+      title: 'is nothing up to that of the open parts, and all where nothing of the sky is seen',
+    },
+  },
+  {
     name: 'the least contrast is the most',
     file: 'src/material/exposure/ExposureFit.ts',
     find: 'Math.min(contrast, MAX_CONTRAST)',

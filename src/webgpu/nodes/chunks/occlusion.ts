@@ -6,7 +6,7 @@ import { OCCLUSION_LEVELS } from '../../../mesh/occlusion/occlusionSides.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
-const { attribute, dot, floor, Fn, frontFacing, normalGeometry, select, smoothstep, vec2, vec4 } = tsl;
+const { attribute, dot, floor, Fn, frontFacing, max, normalGeometry, select, smoothstep, vec2, vec4 } = tsl;
 const { CAVITY, HOLLOW } = TONE_CONSTANTS;
 const { SIDE_LEVELS } = OCCLUSION_LEVELS;
 
@@ -54,11 +54,14 @@ export function emitOcclusion(builder: NodeBuilder): void {
 const occlusion = /* @__PURE__ */ hatchingUniform('occlusion', 'float');
 const hollowStrength = /* @__PURE__ */ hatchingUniform('hollowStrength', 'float');
 
-/** The baked occlusion of the side that is seen. */
+const openOcclusion = /* @__PURE__ */ hatchingUniform('openOcclusion', 'float');
+
+/** The baked occlusion of the side that is seen, relative to that of the open parts. */
 const occluded = (): Value =>
-  Fn(({ material }) =>
-    material.side === DoubleSide ? select(frontFacing, vOcclusions.x, vOcclusions.y) : vOcclusion,
-  )();
+  Fn(({ material }) => {
+    const baked = material.side === DoubleSide ? select(frontFacing, vOcclusions.x, vOcclusions.y) : vOcclusion;
+    return max(baked.sub(openOcclusion), 0).div(openOcclusion.oneMinus());
+  })();
 
 /** The share of ambient light that is left. */
 export const openToSky = (): Value => occlusion.mul(occluded()).oneMinus();

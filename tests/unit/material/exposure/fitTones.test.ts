@@ -53,13 +53,15 @@ test('a material takes a fit with its compensation, colours divided by what is w
     exposure: { value: new Vector2() },
     colorExposure: { value: 1 },
     colorFilter: { value: new Vector4() },
+    openOcclusion: { value: 0 },
     valueKnots: { value: new Vector4() },
     valueBends: { value: new Vector4() },
   };
   const plan = { filter: [1, 0, 0], knots: [0.8, 0.5, 0.2, 0], bends: [1, 2, -3, 0] } as const;
   const composition = { exposureCompensation: 1.5, plannedValues: 0.5 };
-  writeFit({ scale: 2, offset: -0.5, white: 0.4, plan }, { composition }, uniforms);
+  writeFit({ scale: 2, offset: -0.5, white: 0.4, openOcclusion: 0.6, plan }, { composition }, uniforms);
   expect([...uniforms.exposure.value, uniforms.colorExposure.value]).toEqual([3, -0.75, 2.5]);
+  expect(uniforms.openOcclusion.value).toBe(0.6);
   expect(uniforms.valueKnots.value.toArray()).toEqual(plan.knots);
   expect(uniforms.valueBends.value.toArray()).toEqual(plan.bends);
   const [red, green, blue, share] = uniforms.colorFilter.value.toArray();

@@ -72,7 +72,7 @@ answers(
 
 const look: ToneLook = {
   ...{ curve: null, steps: 0, exposure: [1, 0], highlightRamp: [0, 1], toneEnds: [0.1, 0.9] },
-  ...{ occlusion: 0, hollowStrength: 0, darkness: 0 },
+  ...{ occlusion: 0, hollowStrength: 0, openOcclusion: 0, darkness: 0 },
 };
 
 answers(

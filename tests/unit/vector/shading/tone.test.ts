@@ -37,6 +37,7 @@ const look: ToneLook = {
   toneEnds: [0, 1],
   occlusion: 1,
   hollowStrength: 1,
+  openOcclusion: 0,
   darkness: 0,
 };
 
