@@ -30,6 +30,35 @@ test('logarithmic and reversed depth draw the same outlines', { tag: '@all' }, a
   for (const difference of differences) expect(difference).toBeLessThan(0.02 * inks[0]);
 });
 
+test('borders follow the side that a surface is drawn from', async ({ page }) => {
+  const { sheet, dome } = await page.evaluate(async () => {
+    const { THREE, outlinedMesh, paperScene, lookFrom, draw, total } = window.lining;
+    const inksOf = async (source: import('three').BufferGeometry, height: number, away: number) => {
+      const mesh = await outlinedMesh(source, { outlineWidth: 3, weights: { contours: 0 } });
+      const paper = mesh.material as import('three').Material;
+      return [THREE.FrontSide, THREE.DoubleSide].map((side) => {
+        paper.side = side;
+        return total(draw(paperScene(mesh), lookFrom(0, height, away)));
+      });
+    };
+    return {
+      sheet: [
+        ...(await inksOf(new THREE.PlaneGeometry(1.2, 1.2), 0, 3)),
+        ...(await inksOf(new THREE.PlaneGeometry(1.2, 1.2), 0, -3)),
+      ],
+      // The dome hides the far half of its rim, from silhouette to silhouette.
+      dome: await inksOf(new THREE.SphereGeometry(0.8, 48, 24, 0, 2 * Math.PI, 0, 0.5 * Math.PI), 1.2, 3),
+    };
+  });
+  const [front, both, back, bothFromBack] = sheet;
+  expect(front).toBeGreaterThan(800);
+  expect(both).toBeCloseTo(front, 3);
+  expect(back).toBe(0);
+  expect(bothFromBack).toBeCloseTo(front, 0);
+  expect(dome[1]).toBeGreaterThan(200);
+  expect(dome[0] / dome[1]).toBeCloseTo(1, 1);
+});
+
 test('tiles of a picture fit together', { tag: '@all' }, async ({ page }) => {
   const difference = await page.evaluate(async () => {
     const { THREE, outlinedMesh, paperScene, lookFrom, draw, rendererOf } = window.lining;

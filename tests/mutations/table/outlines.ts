@@ -180,4 +180,26 @@ export const outlines: readonly Mutation[] = [
       title: 'outlines of a bowl… are the same when it is turned inside out',
     },
   },
+  {
+    name: 'borders show from behind a surface that is drawn from its front',
+    file: 'shaders/outlines/featureEdge.glsl',
+    find: '!isIntersection && !showsBack && isBehind',
+    replace: '!isIntersection && !isBorder && !showsBack && isBehind',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/outlinesInScenes.spec.ts',
+      title: 'borders follow the side that a surface is drawn from',
+    },
+  },
+  {
+    name: 'borders show from behind a surface that is drawn from its front, as lines',
+    file: 'src/vector/outlines/outlinePieces.ts',
+    find: '!look.showsBack && isBehind) return null',
+    replace: '!look.showsBack && isBehind && !isBorder) return null',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/svg/outlinesFollow.test.ts',
+      title: 'borders follow the side that a surface is drawn from',
+    },
+  },
 ];

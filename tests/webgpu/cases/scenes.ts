@@ -1,5 +1,6 @@
 import {
   BackSide,
+  type BufferGeometry,
   DoubleSide,
   FrontSide,
   Group,
@@ -48,6 +49,15 @@ async function hatched(
   return stage;
 }
 
+/** A copy of a geometry whose faces point the other way. */
+function insideOut(source: BufferGeometry): BufferGeometry {
+  const geometry = source.clone();
+  geometry.setIndex(Array.from(source.index!.array).reverse());
+  const { array } = geometry.attributes.normal;
+  for (let i = 0; i < array.length; i++) array[i] *= -1;
+  return geometry;
+}
+
 /** Bowls in two rows, seen from inside above and from outside below: drawn from both sides, mirrored too, and from one side. */
 function bowls(): { stage: Stage; root: Group } {
   const stage = shadowed(knot(new MeshStandardMaterial()));
@@ -55,7 +65,9 @@ function bowls(): { stage: Stage; root: Group } {
   const open = new SphereGeometry(0.27, 32, 20, 0, 2 * Math.PI, 0.5 * Math.PI, 0.5 * Math.PI).rotateX(0.5 * Math.PI);
   for (const [row, y] of [0.35, -0.3].entries()) {
     for (const [column, side] of [DoubleSide, DoubleSide, row === 0 ? BackSide : FrontSide].entries()) {
-      const bowl = new Mesh(open.clone(), new MeshStandardMaterial({ color: 0xdddddd, side }));
+      // One bowl points inwards.
+      const geometry = row === 1 && column === 0 ? insideOut(open) : open.clone();
+      const bowl = new Mesh(geometry, new MeshStandardMaterial({ color: 0xdddddd, side }));
       bowl.position.set(0.65 * (column - 1), y, 0);
       bowl.rotation.set(row * Math.PI - 0.3, 0.2, 0);
       if (column === 1) bowl.scale.x = -1;
@@ -114,7 +126,8 @@ export const cases: readonly SceneCase[] = [
     async show({ either }) {
       const { stage, root } = bowls();
       for (const mesh of root.children) mesh.castShadow = mesh.receiveShadow = true;
-      const options = { material: { ...LINES, hollowStrength: 0.8 }, outlines: true };
+      const outlines = { weights: { suggestiveContours: 0.5 } };
+      const options = { material: { ...LINES, hollowStrength: 0.8 }, outlines };
       await either(
         () => applyHatching(root, options),
         () => applyToNodes(root, options),

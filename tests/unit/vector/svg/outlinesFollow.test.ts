@@ -1,7 +1,10 @@
 import {
   BoxGeometry,
+  type BufferGeometry,
   DataTexture,
+  DoubleSide,
   EqualStencilFunc,
+  FrontSide,
   GreaterDepth,
   InstancedMesh,
   type Material,
@@ -9,6 +12,8 @@ import {
   Mesh,
   Plane,
   PlaneGeometry,
+  type Side,
+  SphereGeometry,
   Vector3,
 } from 'three';
 import { describe, expect, test } from 'vitest';
@@ -113,6 +118,24 @@ test('a draw range cuts them, with a border', async () => {
   mesh.geometry.setDrawRange(0, 6);
   expect(await middle()).toBeGreaterThan(0.2);
   expect((await draw(mesh, camera)).ink / whole).toBeCloseTo(0.75, 1);
+});
+
+test('borders follow the side that a surface is drawn from', async () => {
+  const outlines = { ...EVEN, weights: { ...EVEN.weights, contours: 0 }, outlineWidth: 3 };
+  const inkFrom = async (source: BufferGeometry, side: Side, height: number, away: number) => {
+    const mesh = await hatchedMesh(source, { outlines, material: { ...BLANK, side } });
+    return (await draw(mesh, cameraAt(0, height, away, true))).ink;
+  };
+  const sheet = new PlaneGeometry(1.2, 1.2);
+  const whole = await inkFrom(sheet, FrontSide, 0, 1);
+  expect(whole).toBeGreaterThan(0);
+  expect(await inkFrom(sheet, FrontSide, 0, -1)).toBe(0);
+  expect(await inkFrom(sheet, DoubleSide, 0, -1)).toBeCloseTo(whole, 6);
+  // The dome hides the far half of its rim, from silhouette to silhouette.
+  const dome = new SphereGeometry(0.8, 48, 24, 0, 2 * Math.PI, 0, 0.5 * Math.PI);
+  const rim = await inkFrom(dome, DoubleSide, 0.4, 1);
+  expect(rim).toBeGreaterThan(0);
+  expect((await inkFrom(dome, FrontSide, 0.4, 1)) / rim).toBeCloseTo(1, 1);
 });
 
 test('the clipping planes of a material cut them', async () => {
