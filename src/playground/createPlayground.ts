@@ -63,14 +63,15 @@ export function createPlayground(context: WebGL2RenderingContext, status: Status
     const { FileSwitches } = await import('./parts/FileSwitches.js');
     return new FileSwitches(
       () => session.modelLoader.shown,
-      (asWritten) => session.modelLoader.leaveAsWritten(asWritten),
+      (switched) => session.modelLoader.readSwitched(switched),
     );
   });
   session.listen({
     applied: () => switches.present?.refresh(),
     modelShown: () => {
-      const { changes, asWritten } = session.modelLoader.shown;
-      if (switches.present || changes.length + asWritten.length > 0) switches.use((shown) => shown.refresh());
+      const { changes, switched, hidesBacks } = session.modelLoader.shown;
+      if (switches.present || hidesBacks || changes.length + switched.length > 0)
+        switches.use((shown) => shown.refresh());
     },
   });
   const fillScreen = (): void => {

@@ -210,19 +210,45 @@ test('what was done to a file is undone by switches behind “i”, which are st
   await ready(page);
   const lying = await readDrawing(page);
   expect(changedShare(stood, lying)).toBeGreaterThan(0.02);
-  expect(new URLSearchParams(await writtenHash(page)).get('asWritten')).toBe('up');
+  expect(new URLSearchParams(await writtenHash(page)).get('switched')).toBe('up');
   await page.getByRole('button', { name: 'Undo' }).click();
   await ready(page);
   await page.locator('#about-model summary').click();
   await expect(up).toBeChecked();
   await page.getByRole('button', { name: 'Redo' }).click();
   await expect(up).not.toBeChecked();
-  expect(await writtenHash(page)).toContain('asWritten=up');
+  expect(await writtenHash(page)).toContain('switched=up');
   await page.reload();
   await ready(page);
   await page.locator('#about-model summary').click();
   await expect(up).not.toBeChecked();
   await up.click();
   await ready(page);
-  expect(await writtenHash(page)).not.toContain('asWritten');
+  expect(await writtenHash(page)).not.toContain('switched');
+});
+
+test('both sides of one-sided surfaces are drawn by a switch behind “i”, which is a step of the history', async ({
+  page,
+}) => {
+  const builder = tetrahedron();
+  const inward = Uint16Array.of(0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2);
+  builder.json.meshes[0].primitives[0].indices = builder.accessor(inward, 'SCALAR');
+  await openPlayground(page, SMALL);
+  await drop(page, [file('room.glb', Buffer.from(builder.glb()))]);
+  await ready(page);
+  const seenThrough = await readDrawing(page);
+  await page.locator('#about-model summary').click();
+  const sides = page.getByRole('switch', { name: 'Draw both sides' });
+  await expect(sides).not.toBeChecked();
+  await sides.click();
+  await ready(page);
+  expect(changedShare(seenThrough, await readDrawing(page))).toBeGreaterThan(0.02);
+  expect(new URLSearchParams(await writtenHash(page)).get('switched')).toBe('sides');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await ready(page);
+  expect(changedShare(seenThrough, await readDrawing(page))).toBe(0);
+  await page.reload();
+  await ready(page);
+  await page.locator('#about-model summary').click();
+  await expect(sides).not.toBeChecked();
 });

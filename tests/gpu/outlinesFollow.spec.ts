@@ -152,8 +152,10 @@ test('groups of a mesh fade, vanish and are cut with what draws them', async ({ 
   const { whole, open, faded, alone } = found;
   for (const edge of ['upper', 'lower', 'right', 'front'] as const) {
     expect(whole[edge], edge).toBeGreaterThan(0.9);
-    expect(open[edge], edge).toBeGreaterThan(0.9);
+    if (edge !== 'lower') expect(open[edge], edge).toBeGreaterThan(0.9);
   }
+  // Without the front the lower side is seen from its back, which is not drawn.
+  expect(open.lower).toBe(0);
   // The edge between it and the sides that do not fade belongs to those sides.
   expect(faded.upper).toBeGreaterThan(0.9);
   for (const edge of ['upper', 'lower', 'front'] as const) expect(alone[edge], edge).toBeGreaterThan(0.9);

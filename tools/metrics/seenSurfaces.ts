@@ -81,7 +81,7 @@ function prepareObject(object: Object3D): void {
 
 async function hatchedScene(files: readonly FileText[], hasBothSides: boolean): Promise<Object3D> {
   const dropped = files.map((file) => ({ name: file.name, content: new Blob([bytesOf(file)]) }));
-  const read = await readModel(dropped, () => {}, BITMAPS, undefined, [], hasBothSides);
+  const read = await readModel(dropped, () => {}, BITMAPS, { switched: hasBothSides ? ['sides'] : [] });
   const pictured = await withPictures(read, () => {}, BITMAPS);
   const { model } = await buildModel(pictured, () => {}, new AbortController().signal);
   model.root.traverse((object) => {

@@ -9,6 +9,7 @@ import { loadSimplifier, simplifierOf } from '../../mesh/detail/loadSimplifier.j
 import { buildModel } from '../../viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../viewer/drawing/meshes.js';
+import type { HowRead } from '../../viewer/files/common/fileChanges.js';
 import { counted, indexOfName, ModelError, shownName } from '../../viewer/files/common/ModelError.js';
 import { extensionOf, type ModelFile } from '../../viewer/files/common/ModelFile.js';
 import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
@@ -18,7 +19,7 @@ import { missingDetail, missingNote } from '../../viewer/files/pictures/meshPict
 import { type ReadMesh, type ReadModel, readModel } from '../../viewer/files/readModel.js';
 import { lightsOfFile } from '../../viewer/sceneSetup/ofFile.js';
 import { turnCamera } from '../../viewer/sceneSetup/placeCamera.js';
-import { type HowRead, isReadAlike, type ModelChoice, NO_CHOICE, readLink } from '../../viewer/settings/shareLink.js';
+import { isReadAlike, type ModelChoice, NO_CHOICE, readLink } from '../../viewer/settings/shareLink.js';
 import type { DrawingCounts, DrawMessage, DrawTask } from '../draw.js';
 import type { DrawingOptions } from '../parseDrawing.js';
 import { chooseParts } from './chooseParts.js';
@@ -90,12 +91,12 @@ async function contentOf(path: string, content: Uint8Array | undefined): Promise
 async function readFrom(
   file: ModelFile,
   surroundings: NodeSurroundings,
-  { variant, asWritten }: HowRead,
+  how: HowRead,
   say: (message: DrawMessage) => void,
 ): Promise<ReadModel> {
   const onStage = (stage: string, bytes?: number): void =>
     say({ kind: 'progress', stage, bytes, progress: 0.5 * READ });
-  const read = await readModel([file], onStage, surroundings, variant, asWritten);
+  const read = await readModel([file], onStage, surroundings, how);
   if (read.kind !== 'mesh') return withPictures(read, onStage, surroundings);
   const onProgress = (share: number): void =>
     say({ kind: 'progress', stage: 'simplifying', progress: READ * (0.5 + 0.5 * share) });

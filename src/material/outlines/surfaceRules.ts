@@ -102,8 +102,8 @@ export const isShown = (material: Material, geometry: BufferGeometry | null = nu
 export const isCutOut = ({ alphaHash, alphaTest, depthTest, depthWrite, opacity, transparent }: Material): boolean =>
   (alphaTest > 0 || (alphaHash && opacity >= 1)) && depthTest && depthWrite && !transparent;
 
-/** Whether the back of a surface can be seen. */
-export const showsBack = ({ side }: Material): boolean => side !== FrontSide;
+/** Whether the back of a surface hides what lies behind it, as its front does. */
+export const showsBack = ({ side, transparent }: Material): boolean => side !== FrontSide && !transparent;
 
 /** The properties that decide, for each pixel, whether a material is drawn and how opaque it is. */
 const NAMES = [

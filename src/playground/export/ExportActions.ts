@@ -38,8 +38,8 @@ export class ExportActions {
 
   /** Saves the picture from more triangles than the page draws. */
   private readonly saveFiner = (): Promise<void> => {
-    const { files, variant, asWritten } = this.session.modelLoader.shown;
-    return this.save(async () => (await import('./saveFiner.js')).saveFiner(files, { variant, asWritten }), {
+    const { files, variant, switched } = this.session.modelLoader.shown;
+    return this.save(async () => (await import('./saveFiner.js')).saveFiner(files, { variant, switched }), {
       label: 'Save it again',
       run: this.saveFiner,
     });

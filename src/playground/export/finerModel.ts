@@ -15,7 +15,7 @@ import type { Viewport } from '../viewport/Viewport.js';
 const MOST_TRIANGLES = 4_000_000;
 
 /** How the files of a model are read. */
-export type HowRead = Pick<LoadOptions, 'variant' | 'asWritten'>;
+export type HowRead = Pick<LoadOptions, 'variant' | 'switched'>;
 
 /** A model that was read again for a picture. */
 export interface FinerModel extends Pick<ReadMesh, 'simplified'> {
@@ -36,14 +36,14 @@ export async function finerModel(
   settings: Settings,
   report: Report,
   signal: AbortSignal,
-  { variant, asWritten }: HowRead = {},
+  { variant, switched }: HowRead = {},
 ): Promise<FinerModel> {
   const { mesh: whole, simplified } = (await loadModelFiles(files, {
     signal,
     onStage: report,
     most: MOST_TRIANGLES,
     variant,
-    asWritten,
+    switched,
   })) as ReadMesh;
   const mesh = withoutParts(whole, viewport.model?.parts?.hidden ?? []);
   const triangles = triangleCount(mesh);

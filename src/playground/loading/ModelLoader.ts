@@ -41,8 +41,10 @@ interface Shown extends ShownFiles {
   variant?: number | undefined;
   /** Changes that were made to what its files say. */
   changes: readonly FileChange[];
-  /** Kinds of changes that were not made, on request. */
-  asWritten: readonly FileChangeKind[];
+  /** Kinds of changes that were switched from what is usual, on request. */
+  switched: readonly FileChangeKind[];
+  /** Whether backs of its surfaces are hidden that could be seen. */
+  hidesBacks: boolean;
   /** How it was simplified, if it was. */
   simplified?: ReadMesh['simplified'];
   /** The original radius of a model that is drawn as a scene; undefined for a single mesh. */
@@ -142,7 +144,8 @@ export class ModelLoader {
       files: [],
       missing: [],
       changes: [],
-      asWritten: [],
+      switched: [],
+      hidesBacks: false,
       isOpen: false,
     };
   }
@@ -201,14 +204,14 @@ export class ModelLoader {
     void this.start({ model: 'file', files, choice: { ...this.choice, variant }, isFramed: false, isChosen: true });
   }
 
-  /** Reads the user's own model again without changes of some kinds, in the order of `FILE_CHANGE_KINDS`. */
-  leaveAsWritten(asWritten: readonly FileChangeKind[]): void {
+  /** Reads the user's own model again with some kinds of changes switched, in the order of `FILE_CHANGE_KINDS`. */
+  readSwitched(switched: readonly FileChangeKind[]): void {
     const { files } = this.shown;
     const { names = [] } = this.viewport.model?.parts ?? {};
-    const choice = { ...this.choice, asWritten };
+    const choice = { ...this.choice, switched };
     // The file may have other parts then.
     const hiddenNames = new Set(this.hidden.map((part) => names[part]));
-    const isTurned = asWritten.includes('up') !== this.shown.asWritten.includes('up');
+    const isTurned = switched.includes('up') !== this.shown.switched.includes('up');
     void this.start({ model: 'file', files, choice, hiddenNames, isTurned, isFramed: false, isChosen: true });
   }
 
@@ -305,9 +308,9 @@ export class ModelLoader {
   get choice(): ModelChoice {
     const { clip = 0 } = this.viewport.model?.motion ?? {};
     const { variant } = this.shown;
-    const asWritten = this.shown.asWritten.length > 0 ? this.shown.asWritten : undefined;
+    const switched = this.shown.switched.length > 0 ? this.shown.switched : undefined;
     const { hidden } = this;
-    return { variant, clip: clip > 0 ? clip : undefined, asWritten, hidden: hidden.length > 0 ? hidden : undefined };
+    return { variant, clip: clip > 0 ? clip : undefined, switched, hidden: hidden.length > 0 ? hidden : undefined };
   }
 
   /** The shown model in the form that copied code needs. */
@@ -393,12 +396,12 @@ export class ModelLoader {
       load.files = await fetchFiles(address, options);
       this.addresses.set(load.files, address);
     }
-    const { variant, asWritten } = choice;
+    const { variant, switched } = choice;
     const viewsFor = load.isOpened || load.isTurned ? 'file' : this.settings.upAxis;
     const read = await loadModelFiles(load.files!, {
       ...options,
       variant,
-      asWritten: asWritten?.length ? asWritten : undefined,
+      switched: switched?.length ? switched : undefined,
       viewsFor,
     });
     if (read.kind === 'mesh') load.views = read.views;
@@ -467,7 +470,8 @@ export class ModelLoader {
       ...(model === 'file' && 'missing' in read && { missing: read.missing, unpacked: read.unpacked }),
       variant: next.extras.variants[variant] === undefined ? undefined : variant,
       changes: model === 'file' && 'changes' in read ? read.changes : [],
-      asWritten: (model === 'file' && choice.asWritten) || [],
+      switched: (model === 'file' && choice.switched) || [],
+      hidesBacks: next.hidesBacks,
       simplified: isMesh ? read.simplified : undefined,
       sceneRadius: isMesh ? undefined : 1 / next.root.scale.x,
       isOpen: isMesh && isOpen(statistics),

@@ -3,20 +3,27 @@ import { shownText } from '../../viewer/files/common/ModelError.js';
 import { element, findElement } from '../page/elements.js';
 
 /** What is said of a file that is left as it is written. */
-const LEFT: Readonly<Record<FileChangeKind, string>> = {
+const LEFT: Readonly<Record<Exclude<FileChangeKind, 'sides'>, string>> = {
   orientation: 'its faces point where the file says',
-  sides: 'its surfaces have the sides that the file says',
   up: 'it lies as in the file',
   hidden: 'parts that are hidden in the file are shown',
 };
 
-/** What was done to the shown file, and is left on request. */
+/** What was done to the shown file, and what is switched from the usual. */
 interface ChangedFile {
   readonly changes: readonly FileChange[];
-  readonly asWritten: readonly FileChangeKind[];
+  readonly switched: readonly FileChangeKind[];
+  /** Whether backs of its surfaces are hidden that could be seen. */
+  readonly hidesBacks: boolean;
 }
 
-/** The switches behind “i”: one for each kind of change that was made to the file. Turned off, the file is read without it. */
+/** Whether a kind of change is usually made. */
+const isUsual = (kind: FileChangeKind): boolean => kind !== 'sides';
+
+/**
+ * The switches behind “i”: one for each kind of change that was made to the file, and one to draw the backs of its surfaces. The file is
+ * read again with what is on.
+ */
 export class FileSwitches {
   private readonly list = findElement('model-changes');
   private readonly switches = new Map(
@@ -28,28 +35,33 @@ export class FileSwitches {
     }),
   );
 
-  /** @param onSwitch called with the kinds of changes to leave out, in the order of `FILE_CHANGE_KINDS` */
+  /** @param onSwitch called with the kinds of changes that are switched from what is usual, in the order of `FILE_CHANGE_KINDS` */
   constructor(
     private readonly file: () => ChangedFile,
-    onSwitch: (asWritten: FileChangeKind[]) => void,
+    onSwitch: (switched: FileChangeKind[]) => void,
   ) {
     for (const { box, item } of this.switches.values()) {
       this.list.append(item);
       box.addEventListener('change', () =>
-        onSwitch([...this.switches].filter(([, { box, item }]) => !item.hidden && !box.checked).map(([kind]) => kind)),
+        onSwitch(
+          [...this.switches]
+            .filter(([kind, { box, item }]) => !item.hidden && box.checked !== isUsual(kind))
+            .map(([kind]) => kind),
+        ),
       );
     }
   }
 
   /** Call this when another file is shown, or the same one in another way. */
   refresh(): void {
-    const { changes, asWritten } = this.file();
+    const { changes, switched, hidesBacks } = this.file();
     for (const [kind, { box, text, item }] of this.switches) {
       const sentences = changes.filter((change) => change.kind === kind).map(({ sentence }) => shownText(sentence));
-      const isLeft = asWritten.includes(kind);
-      item.hidden = !isLeft && sentences.length === 0;
-      box.checked = !isLeft;
-      text.textContent = isLeft ? LEFT[kind] : sentences.join('; ');
+      const isSwitched = switched.includes(kind);
+      box.checked = isSwitched !== isUsual(kind);
+      item.hidden = !isSwitched && !(kind === 'sides' ? hidesBacks : sentences.length > 0);
+      if (kind === 'sides') text.textContent = 'Draw both sides';
+      else text.textContent = isSwitched ? LEFT[kind] : sentences.join('; ');
     }
     this.list.hidden = [...this.switches.values()].every(({ item }) => item.hidden);
   }

@@ -44,8 +44,8 @@ export interface LoadOptions {
   most?: number | undefined;
   /** Index of the material variant. */
   variant?: number | undefined;
-  /** Kinds of changes that are not made to the file. */
-  asWritten?: readonly FileChangeKind[] | undefined;
+  /** Kinds of changes that are switched from what is usual. */
+  switched?: readonly FileChangeKind[] | undefined;
   /** The up axis for which views are wanted, or `file` for that of the file; none are by default. */
   viewsFor?: UpAxis | 'file' | undefined;
 }
@@ -80,7 +80,7 @@ export async function loadModelFiles(
 
 async function readHere(
   files: readonly ModelFile[],
-  { signal, onStage, variant, asWritten, viewsFor }: LoadOptions,
+  { signal, onStage, variant, switched, viewsFor }: LoadOptions,
 ): Promise<ReadModel> {
   const bytes = sizeOf(files);
   if (bytes > MAX_BYTES_WITHOUT_WORKER) {
@@ -92,7 +92,7 @@ async function readHere(
   const { readModel } = await import('../../viewer/files/readModel.js');
   const { withPictures } = await import('../../viewer/files/pictures/decodePictures.js');
   signal.throwIfAborted();
-  const read = await readModel(files, onStage, PAGE_SURROUNDINGS, variant, asWritten);
+  const read = await readModel(files, onStage, PAGE_SURROUNDINGS, { variant, switched });
   const model = await withPictures(read, onStage, PAGE_SURROUNDINGS);
   signal.throwIfAborted();
   if (!viewsFor) return model;
@@ -114,7 +114,7 @@ const sizeOf = (files: readonly ModelFile[]): number => files.reduce((sum, { con
 
 async function readInWorker(
   given: readonly ModelFile[] | Promise<readonly ModelFile[]>,
-  { signal, onStage, onCoarse, most, variant, asWritten, viewsFor }: LoadOptions,
+  { signal, onStage, onCoarse, most, variant, switched, viewsFor }: LoadOptions,
   ahead: ReadAhead | undefined,
 ): Promise<ReadModel> {
   const worker = ahead?.worker ?? startWorker();
@@ -157,8 +157,8 @@ async function readInWorker(
         if (isOver) return;
         bytes = sizeOf(files);
         restartTimer();
-        const isPlain = [most, variant, asWritten, viewsFor].every((one) => one === undefined);
-        const request: FineRequest = { files, most, variant, asWritten, viewsFor };
+        const isPlain = [most, variant, switched, viewsFor].every((one) => one === undefined);
+        const request: FineRequest = { files, most, variant, switched, viewsFor };
         if (!ahead) worker.postMessage(isPlain ? files : request);
       };
       if (given instanceof Promise) given.then(post).catch(reject);

@@ -25,8 +25,8 @@ export interface FineRequest {
   most: number | undefined;
   /** Index of the material variant. */
   variant: number | undefined;
-  /** Kinds of changes that are not made to the file. */
-  asWritten: readonly FileChangeKind[] | undefined;
+  /** Kinds of changes that are switched from what is usual. */
+  switched: readonly FileChangeKind[] | undefined;
   /** The up axis for which views are wanted, or `file` for that of the file; undefined if none are. */
   viewsFor: UpAxis | 'file' | undefined;
 }
@@ -92,10 +92,10 @@ addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] |
       post({ kind: 'views', views: runToEnd(chooseViews(data.triangles, data.up)) });
       return;
     }
-    const { files, most, variant, asWritten, viewsFor }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
+    const { files, most, variant, switched, viewsFor }: Partial<FineRequest> & Pick<FineRequest, 'files'> =
       'files' in data ? data : { files: data };
     const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
-    const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, variant, asWritten));
+    const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, { variant, switched }));
     const seen = viewsFor ? withViews(read, viewsFor === 'file' ? read.upAxis : viewsFor) : read;
     const model = await withPictures(seen, onStage, PAGE_SURROUNDINGS);
     const isLessDrawn = isTooFine(model, most);

@@ -76,7 +76,7 @@ export class LinkFollower {
       choice: {
         variant: choice.variant ?? before.variant,
         clip: choice.clip ?? before.clip,
-        asWritten: choice.asWritten ?? before.asWritten,
+        switched: choice.switched ?? before.switched,
         hidden: choice.hidden ?? before.hidden,
       },
     };

@@ -3,6 +3,7 @@ import {
   type Box3,
   Color,
   CustomBlending,
+  FrontSide,
   type Material,
   type Mesh,
   NoBlending,
@@ -162,6 +163,11 @@ export class HatchedModel {
   /** The extent of the model, by which all parts of the scene measure depth. */
   get extent(): SceneExtent | null {
     return this.sets.drawn.materials[0]?.composition.extent ?? null;
+  }
+
+  /** Whether it has one-sided surfaces whose backs could be seen: those that cast shadows by their fronts. */
+  get hidesBacks(): boolean {
+    return this.sets.drawn.materials.some(({ shadowSide }) => shadowSide === FrontSide);
   }
 
   /**

@@ -24,10 +24,8 @@ export interface FormatFile {
   loadDraco: Surroundings['loadDraco'];
   /** The material variant: its index, or as text its name or its number counted from 1. */
   variant?: string | number | undefined;
-  /** Kinds of changes that are not made. */
-  asWritten: readonly FileChangeKind[];
-  /** Whether both sides of all surfaces are drawn, whatever the file says. */
-  hasBothSides: boolean;
+  /** Kinds of changes that are switched from what is usual. */
+  switched: readonly FileChangeKind[];
 }
 
 /** The three.js loader of a format, for copied code. */
@@ -61,6 +59,8 @@ export interface ModelFormat {
   isUpCertain?: boolean;
   /** Whether the files say which side of a triangle is its front, so that nothing is turned. */
   isWindingCertain?: boolean;
+  /** Whether the files say which surfaces are drawn from both sides. */
+  isSideCertain?: boolean;
   /** Whether models usually lie flat, as those for 3D printers do. */
   liesFlat?: boolean;
   /** Undefined if three.js has no loader. */
@@ -73,16 +73,17 @@ const GLTF = {
   up: 'y',
   isUpCertain: true,
   isWindingCertain: true,
+  isSideCertain: true,
   companions: ['bin'],
   loader: { name: 'GLTFLoader', gives: 'scene' },
 } as const;
 
 async function readAnyGltf(
-  { bytes, name, findFile, loadDraco, variant, asWritten, hasBothSides }: FormatFile,
+  { bytes, name, findFile, loadDraco, variant, switched }: FormatFile,
   isBinary: boolean,
 ): Promise<ReadGltf> {
   const { readGltf } = await import('./gltf/readGltf.js');
-  const showsHidden = asWritten.includes('hidden');
+  const [showsHidden, hasBothSides] = (['hidden', 'sides'] as const).map((kind) => switched.includes(kind));
   return readGltf(bytes, name, isBinary, findFile, { loadDraco, variant, showsHidden, hasBothSides });
 }
 
@@ -137,8 +138,8 @@ export const FORMATS: readonly ModelFormat[] = [
     up: 'y',
     isWindingCertain: true,
     loader: { name: 'USDLoader', gives: 'object' },
-    read: async ({ bytes, name, asWritten }) =>
-      (await import('./scenes/readUsd.js')).readUsd(bytes, name, asWritten.includes('hidden')),
+    read: async ({ bytes, name, switched }) =>
+      (await import('./scenes/readUsd.js')).readUsd(bytes, name, switched.includes('hidden')),
   },
   {
     name: '3MF',

@@ -4,7 +4,7 @@ import { runToEnd } from '../../mesh/phases.js';
 import type { ChosenView } from '../views/chooseViews.js';
 import type { BundledDrawing } from './bundle.js';
 import { toUtf8 } from './common/AsciiReader.js';
-import type { FileChange, FileChangeKind } from './common/fileChanges.js';
+import type { FileChange, FileChangeKind, HowRead } from './common/fileChanges.js';
 import { counted, ModelError, shownName, toModelError } from './common/ModelError.js';
 import { type ModelExtras, movedExtras } from './common/ModelExtras.js';
 import { baseName, extensionOf, MAX_BYTES, type ModelFile, withoutGz } from './common/ModelFile.js';
@@ -100,18 +100,14 @@ export interface ReadParts extends Read {
  * fits the rest into a unit sphere. A glTF file that stays a scene is only checked and split into its parts.
  *
  * @param surroundings decoders of pictures and Draco; by default those of a browser, without Draco
- * @param variant material variant of a glTF file: its index, or as text its name or its number counted from 1
- * @param asWritten kinds of changes that are not made
- * @param hasBothSides whether both sides of all surfaces are drawn, also of those that the file has for one-sided
+ * @param how the variant, and the kinds of changes that are switched from what is usual
  * @throws ModelError with one sentence for the user
  */
 export async function readModel(
   files: readonly ModelFile[],
   onStage: OnStage,
   surroundings: Surroundings = BITMAPS,
-  variant?: string | number,
-  asWritten: readonly FileChangeKind[] = [],
-  hasBothSides = false,
+  { variant, switched = [] }: HowRead = {},
 ): Promise<ReadModel> {
   const size = files.reduce((sum, file) => sum + file.content.size, 0);
   if (size > MAX_BYTES) {
@@ -122,7 +118,7 @@ export async function readModel(
   const main = chooseMain(files);
   onStage(`reading ${shownName(main.name)}`);
   try {
-    const read = await readMain(main, files, onStage, { ...surroundings, variant, asWritten, hasBothSides });
+    const read = await readMain(main, files, onStage, { ...surroundings, variant, switched });
     return { ...read, notes: [...read.notes, ...otherModelsNote(main, files)] };
   } catch (error) {
     throw toModelError(main.name, error);
@@ -132,8 +128,7 @@ export async function readModel(
 /** The options and platform functions of one reading. */
 interface Circumstances extends Surroundings {
   variant: string | number | undefined;
-  asWritten: readonly FileChangeKind[];
-  hasBothSides: boolean;
+  switched: readonly FileChangeKind[];
 }
 
 async function readMain(
@@ -143,7 +138,7 @@ async function readMain(
   surroundings: Circumstances,
   isUnpacked = false,
 ): Promise<ReadModel> {
-  const { loadDraco, decodePicture, variant, asWritten, hasBothSides } = surroundings;
+  const { loadDraco, decodePicture, variant, switched } = surroundings;
   const name = withoutGz(main.name);
   const shown = shownName(main.name);
   const bytes = toUtf8(await gunzip(new Uint8Array(await main.content.arrayBuffer()), shown, MAX_BYTES));
@@ -164,18 +159,18 @@ async function readMain(
     ({ format } = archive);
   }
   const findFile = finderIn(files, surroundings);
-  const file = { bytes, name: shown, findFile, loadDraco, variant, asWritten, hasBothSides };
-  const isTurned = !format.isWindingCertain && !asWritten.includes('orientation');
+  const file = { bytes, name: shown, findFile, loadDraco, variant, switched };
+  const isTurned = !format.isWindingCertain && !switched.includes('orientation');
   const { content, extras, turned: turnedParts, ...parsed } = await parse(format, file, isTurned);
   const other = otherFormatNote(main, format);
-  const { usual, upAxis, upChanges } = orientationOf(format, asWritten);
+  const { usual, upAxis, upChanges } = orientationOf(format, switched);
   const ofReader = parsed.changes ?? [];
   if ('arrays' in content) {
     const { missing, lostPictures } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
     const details = [...missingDetail(missing), ...other, ...brokenNote(parsed.broken), ...parsed.details];
     const common = { name, upAxis, usual, notes, details, missing, lostPictures, extras };
-    const sides = sidesChange(hasBothSides && content.hasBothSides);
+    const sides = sidesChange(switched.includes('sides') && content.hasBothSides);
     return {
       kind: 'parts',
       ...common,
@@ -224,7 +219,7 @@ async function readMain(
       ...(stands ? stoodChange(stands) : upChanges),
       ...ofReader,
       ...turnedChange(turned),
-      ...sidesChange(hasBothSides && format.isWindingCertain === true),
+      ...sidesChange(switched.includes('sides') && format.isSideCertain === true),
     ],
   };
 }
@@ -319,9 +314,9 @@ const upChange = ({ name, up, isUpCertain }: ModelFormat): FileChange[] =>
 /** How the models of a format stand, and whether that is a change; as written, y is up. */
 function orientationOf(
   format: ModelFormat,
-  asWritten: readonly FileChangeKind[],
+  switched: readonly FileChangeKind[],
 ): { usual: UsualUp | undefined; upAxis: 'y' | 'z'; upChanges: FileChange[] } {
-  if (asWritten.includes('up')) return { usual: undefined, upAxis: 'y', upChanges: [] };
+  if (switched.includes('up')) return { usual: undefined, upAxis: 'y', upChanges: [] };
   return { usual: usualUp(format), upAxis: format.up, upChanges: upChange(format) };
 }
 

@@ -1,4 +1,4 @@
-import { FILE_CHANGE_KINDS, type FileChangeKind } from '../files/common/fileChanges.js';
+import { FILE_CHANGE_KINDS, type FileChangeKind, type HowRead } from '../files/common/fileChanges.js';
 import {
   type CameraView,
   cameraParts,
@@ -20,8 +20,8 @@ export interface ModelChoice {
   readonly variant: number | undefined;
   /** Index of the clip; undefined for the first. */
   readonly clip: number | undefined;
-  /** Kinds of changes that are not made to the file, in the order of `FILE_CHANGE_KINDS`; undefined for none. */
-  readonly asWritten?: readonly FileChangeKind[] | undefined;
+  /** Kinds of changes that are switched from what is usual, in the order of `FILE_CHANGE_KINDS`; undefined for none. */
+  readonly switched?: readonly FileChangeKind[] | undefined;
   /** Indices of the parts that are hidden, in rising order; undefined for none. */
   readonly hidden?: readonly number[] | undefined;
 }
@@ -31,14 +31,9 @@ export const NO_CHOICE: ModelChoice = { variant: undefined, clip: undefined };
 export const isSameChoice = (a: ModelChoice, b: ModelChoice): boolean =>
   a.clip === b.clip && isReadAlike(a, b) && isSameList(a.hidden, b.hidden);
 
-/** What of a choice decides how a file is read; the rest is how the model is shown. A variant may be a name, or a number counted from 1. */
-export interface HowRead extends Pick<ModelChoice, 'asWritten'> {
-  readonly variant?: string | number | undefined;
-}
-
-/** Whether a file is read in the same way for two choices. */
+/** Whether a file is read in the same way for two choices; the rest of a choice is how the model is shown. */
 export const isReadAlike = (a: HowRead, b: HowRead): boolean =>
-  a.variant === b.variant && isSameList(a.asWritten, b.asWritten);
+  a.variant === b.variant && isSameList(a.switched, b.switched);
 
 /** Whether two lists have the same values. */
 export const isSameList = (a: readonly unknown[] = [], b: readonly unknown[] = []): boolean =>
@@ -88,7 +83,7 @@ export function writeLink(
   }
   if (settings.mapStyle === 'ownHand' && hand !== undefined) parameters.set('hand', hand);
   for (const key of CHOICES) if (choice[key] !== undefined) parameters.set(key, String(choice[key] + 1));
-  if (choice.asWritten?.length) parameters.set('asWritten', choice.asWritten.join(','));
+  if (choice.switched?.length) parameters.set('switched', choice.switched.join(','));
   if (choice.hidden?.length) parameters.set('hidden', writeRanges(choice.hidden));
   if (camera) {
     const parts = cameraParts(camera).map((part) => (typeof part === 'number' ? shortest(part) : part));
@@ -148,12 +143,12 @@ export function readLink(hash: string): LinkedDrawing {
 
 function readChoice(parameters: URLSearchParams): ModelChoice {
   const [variant, clip] = CHOICES.map((key) => indexOf(parameters.get(key) ?? ''));
-  const kinds = (parameters.get('asWritten') ?? '').split(',');
-  const asWritten = FILE_CHANGE_KINDS.filter((kind) => kinds.includes(kind));
+  const kinds = (parameters.get('switched') ?? '').split(',');
+  const switched = FILE_CHANGE_KINDS.filter((kind) => kinds.includes(kind));
   const hidden = readRanges(parameters.get('hidden') ?? '');
   return {
     ...{ variant, clip },
-    ...(asWritten.length > 0 && { asWritten }),
+    ...(switched.length > 0 && { switched }),
     ...(hidden.length > 0 && { hidden }),
   };
 }

@@ -4,16 +4,24 @@ import { counted } from './ModelError.js';
 export const FILE_CHANGE_KINDS = ['orientation', 'sides', 'up', 'hidden'] as const;
 
 /**
- * A kind of change that is made to a file when it is read. A reader leaves any of them out on request.
+ * A kind of change that is made to a file when it is read. Each has a switch: on request, `sides` is done, and any of the others is not.
  *
- * | kind | the reader |
- * | --- | --- |
- * | `orientation` | turns triangles that face the wrong way |
- * | `sides` | draws surfaces from both sides, or hides their backs, other than three.js would |
- * | `up` | stands the model up, because its format or its shape suggests so |
- * | `hidden` | leaves out parts that are hidden in the file |
+ * | kind | the reader | usually |
+ * | --- | --- | --- |
+ * | `orientation` | turns triangles that face the wrong way | done |
+ * | `sides` | draws both sides of surfaces, also where a glTF file has one | not done |
+ * | `up` | stands the model up, because its format or its shape suggests so | done |
+ * | `hidden` | leaves out parts that are hidden in the file | done |
  */
 export type FileChangeKind = (typeof FILE_CHANGE_KINDS)[number];
+
+/** How a file is read; by default as usual. */
+export interface HowRead {
+  /** Material variant of a glTF file: its index, or as text its name or its number counted from 1. */
+  readonly variant?: string | number | undefined;
+  /** Kinds of changes that are switched from what is usual, in the order of `FILE_CHANGE_KINDS`. */
+  readonly switched?: readonly FileChangeKind[] | undefined;
+}
 
 /** A change that was made to a file when it was read. */
 export interface FileChange {

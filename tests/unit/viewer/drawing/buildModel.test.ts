@@ -132,7 +132,7 @@ describe('the sides of surfaces', () => {
     const places = builder.accessor(Float32Array.of(0, 0, 0, 1, 0, 0), 'VEC3');
     if (isMoving) addTrack(builder, 'translation', times, places);
     const file = { name: 'sides.glb', content: new Blob([builder.glb() as Uint8Array<ArrayBuffer>]) };
-    const read = await readModel([file], () => {}, undefined, undefined, [], hasBothSides);
+    const read = await readModel([file], () => {}, undefined, { switched: hasBothSides ? ['sides'] : [] });
     expect(read.changes.map(({ kind }) => kind)).toEqual(hasBothSides ? ['sides'] : []);
     const { model } = await buildModel(read, () => {}, new AbortController().signal);
     const sides = meshesOf(model.root).flatMap(({ material }) => [material].flat().map(({ side }) => side));

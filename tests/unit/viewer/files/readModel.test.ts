@@ -64,7 +64,7 @@ describe('what faces inward', () => {
 
   test('is left as written if that is asked for', async () => {
     const file = { name: 'a.obj', content: new Blob([inward]) };
-    const found = await readModel([file], () => {}, undefined, undefined, ['orientation']);
+    const found = await readModel([file], () => {}, undefined, { switched: ['orientation'] });
     expect(measure(found as Awaited<ReturnType<typeof read>>).volume).toBeLessThan(0);
     expect(found.changes).toEqual([]);
   });

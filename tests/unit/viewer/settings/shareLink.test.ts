@@ -61,13 +61,13 @@ describe('a link', () => {
   });
 
   test('includes hidden parts, and the changes that are not made to a file', () => {
-    const choice: ModelChoice = { ...NO_CHOICE, asWritten: ['orientation', 'hidden'], hidden: [0, 1, 2, 6] };
+    const choice: ModelChoice = { ...NO_CHOICE, switched: ['orientation', 'hidden'], hidden: [0, 1, 2, 6] };
     const link = writeLink(defaultSettings(), undefined, undefined, [], undefined, choice);
     expect(new URLSearchParams(link).get('hidden')).toBe('1-3,7');
     expect(readLink(link).choice).toEqual(choice);
-    expect(readLink('asWritten=sides,none,orientation&hidden=x').choice).toEqual({
+    expect(readLink('switched=sides,none,orientation&hidden=x').choice).toEqual({
       ...NO_CHOICE,
-      asWritten: ['orientation', 'sides'],
+      switched: ['orientation', 'sides'],
     });
   });
 

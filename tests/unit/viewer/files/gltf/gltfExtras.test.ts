@@ -19,7 +19,7 @@ function glb(nodes: object[], change: (json: GltfBuilder['json']) => void = () =
   return builder.glb();
 }
 const read = (content: Uint8Array, variant?: string | number): Promise<ReadModel> =>
-  readModel([file('a.glb', content)], () => {}, undefined, variant);
+  readModel([file('a.glb', content)], () => {}, undefined, { variant });
 const near = (numbers: readonly number[]): number[] => numbers.map((value) => Number(value.toFixed(5)) + 0);
 
 describe('cameras', () => {

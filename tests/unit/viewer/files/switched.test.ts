@@ -4,8 +4,8 @@ import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel
 import { tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 import { boxStl, type Content, file, triangles } from '../../../../tools/modelFiles/modelWriters.js';
 
-async function read(name: string, content: Content, ...asWritten: FileChangeKind[]): Promise<ReadMesh> {
-  const model = await readModel([file(name, content)], () => {}, undefined, undefined, asWritten);
+async function read(name: string, content: Content, ...switched: FileChangeKind[]): Promise<ReadMesh> {
+  const model = await readModel([file(name, content)], () => {}, undefined, { switched });
   if (model.kind !== 'mesh') throw new Error(`${name} is not a mesh`);
   return model;
 }
