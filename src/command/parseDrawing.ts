@@ -1,6 +1,11 @@
 import { type HatchingPreset, presets } from '../scene/presets.js';
 import { SHEET_SIZES, SHEET_WORDS, type Sheet, sheetNamed } from '../vector/svg/sheetSizes.js';
+import type { FileChangeKind } from '../viewer/files/common/fileChanges.js';
 import { readOptions, UsageError } from './readOptions.js';
+
+/** The changes to a file that `--as-written` leaves out. */
+const AS_WRITTEN = ['orientation', 'up', 'hidden'] as const satisfies readonly FileChangeKind[];
+type AsWritten = (typeof AS_WRITTEN)[number];
 
 /** A direction in degrees: `azimuth` around the up axis, from the viewer's side to the right, and `elevation` above the horizon. */
 interface DirectionInDegrees {
@@ -35,6 +40,10 @@ export interface DrawingOptions {
   up: 'y' | 'z' | 'x' | '-y' | '-z' | '-x' | undefined;
   /** The name of a material variant of the model, or its number, counted from 1. */
   variant: string | undefined;
+  /** Changes that are not made to what the file says. */
+  asWritten: readonly AsWritten[];
+  /** Whether both sides of surfaces are drawn, also where a glTF file has one. */
+  bothSides: boolean;
   /** Names of parts of the model that are hidden; `*` stands for any letters. */
   hide: readonly string[];
   /** Names of the only parts that are drawn; empty for all. */
@@ -136,6 +145,8 @@ const OPTIONS = {
   'no-shadows': { type: 'boolean' },
   up: { type: 'string' },
   variant: { type: 'string' },
+  'as-written': { type: 'string' },
+  'both-sides': { type: 'boolean' },
   hide: { type: 'string', multiple: true },
   only: { type: 'string', multiple: true },
   clip: { type: 'string' },
@@ -210,6 +221,9 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --hide <name>            leaves out a part of the model; may be given several times, and * stands for any letters
   --only <name>            draws this part alone; as --hide
   --variant <name>         a variant of the materials of a glTF file; its number will do
+  --as-written <kinds>     leaves the model as its file says: orientation, up or hidden, or several with commas
+                           (default: triangles that face inward are turned, models stand, hidden parts are left out)
+  --both-sides             draws both sides of surfaces, also where a glTF file has one
   --clip <name>            poses the model by this clip; its number will do
   --format <name>          the format of a model that does not tell it: stl, obj, …
   --out <file>             the SVG file to write to; - is the standard output;
@@ -260,6 +274,8 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     shadows: values['no-shadows'] ? false : values.shadows,
     up: choice('up', values.up, AXES),
     variant: nameOf('variant', values.variant),
+    asWritten: asWrittenOf(values['as-written']),
+    bothSides: values['both-sides'] ?? false,
     hide: namesOf('hide', values.hide),
     only: namesOf('only', values.only),
     format: formatOf(values.format),
@@ -301,6 +317,12 @@ function formatOf(text: string | undefined): string | undefined {
 function nameOf(option: string, text: string | undefined): string | undefined {
   if (text === undefined || text.trim() !== '') return text;
   throw new UsageError(`--${option} is ${shown(text)}, but must be a name, or a number from 1 on.`);
+}
+
+/** The kinds of changes after `--as-written`. */
+function asWrittenOf(text: string | undefined): readonly AsWritten[] {
+  const kinds = text?.split(',') ?? [];
+  return [...new Set(kinds.map((kind) => choice('as-written', kind, AS_WRITTEN)!))];
 }
 
 /** The names of parts after an option that may be given several times. */

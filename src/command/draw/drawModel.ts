@@ -9,7 +9,7 @@ import { loadSimplifier, simplifierOf } from '../../mesh/detail/loadSimplifier.j
 import { buildModel } from '../../viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
 import { meshesOf } from '../../viewer/drawing/meshes.js';
-import type { HowRead } from '../../viewer/files/common/fileChanges.js';
+import { FILE_CHANGE_KINDS, type HowRead } from '../../viewer/files/common/fileChanges.js';
 import { counted, indexOfName, ModelError, shownName } from '../../viewer/files/common/ModelError.js';
 import { extensionOf, type ModelFile } from '../../viewer/files/common/ModelFile.js';
 import { triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
@@ -53,14 +53,12 @@ export async function drawModel(
   const surroundings = new NodeSurroundings(dirname(path));
   const file = { name, content: await contentOf(path, content), format: options.format };
   const asked = choiceOf(options.link);
-  let read = await readFrom(file, surroundings, { ...asked, variant: options.variant ?? asked.variant }, say);
+  let read = await readFrom(file, surroundings, howToRead(options, asked), say);
   // An archive saved by the playground contains the look along with the model.
   const link = options.link ?? read.drawing?.link;
   const linked = choiceOf(link);
-  const variant = options.variant ?? linked.variant;
-  if (!isReadAlike({ ...linked, variant }, { ...asked, variant: options.variant ?? asked.variant })) {
-    read = await readFrom(file, surroundings, { ...linked, variant }, say);
-  }
+  if (!isReadAlike(howToRead(options, linked), howToRead(options, asked)))
+    read = await readFrom(file, surroundings, howToRead(options, linked), say);
   const report = (stage: string, share = 0): void => progress(stage, READ + (JOINED - READ) * share);
   const { model, notes } = await buildModel(read, report, signal, false, (names) =>
     chooseParts(names, options, linked.hidden ?? [], name),
@@ -101,6 +99,15 @@ async function readFrom(
   const onProgress = (share: number): void =>
     say({ kind: 'progress', stage: 'simplifying', progress: READ * (0.5 + 0.5 * share) });
   return withPictures(await fitMemory(read, mostTriangles(memoryHere()), onProgress), onStage, surroundings);
+}
+
+/** How the file is read, by the options and the link. */
+function howToRead({ variant, asWritten, bothSides }: DrawingOptions, linked: ModelChoice): HowRead {
+  const kinds = new Set([...asWritten, ...(bothSides ? ['sides'] : []), ...(linked.switched ?? [])]);
+  return {
+    variant: variant ?? linked.variant,
+    switched: FILE_CHANGE_KINDS.filter((kind) => kinds.has(kind)),
+  };
 }
 
 const choiceOf = (link: string | undefined): ModelChoice => (link === undefined ? NO_CHOICE : readLink(link).choice);

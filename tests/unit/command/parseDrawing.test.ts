@@ -41,6 +41,17 @@ describe('the command line of draw', () => {
     });
   });
 
+  test('what is left as the file says, and both sides', () => {
+    expect(drawing(...OUT).options).toMatchObject({ asWritten: [], bothSides: false });
+    expect(drawing('--as-written', 'Hidden, up,up', '--both-sides', ...OUT).options).toMatchObject({
+      asWritten: ['hidden', 'up'],
+      bothSides: true,
+    });
+    expect(refusal('--as-written', 'up,sides', ...OUT)).toBe(
+      '--as-written is sides, but must be orientation, up or hidden.',
+    );
+  });
+
   test('cameras, lights, variants and clips of the file', () => {
     expect(drawing(...OUT).options).toMatchObject({ camera: undefined, variant: undefined, usesFileLights: true });
     const line = ['--camera', 'hero', '--variant', '2', '--clip', 'walk', '--no-file-lights'];

@@ -7,6 +7,7 @@ import { settingsFor, setUpScene } from '../../../../src/command/draw/setUpScene
 import { buildModel } from '../../../../src/viewer/drawing/buildModel.js';
 import { readModel } from '../../../../src/viewer/files/readModel.js';
 import { packGlb } from '../../../../tools/modelFiles/columnModel.js';
+import { tetrahedron } from '../../../../tools/modelFiles/GltfBuilder.js';
 import {
   octahedronAsciiStl,
   octahedronBin,
@@ -211,4 +212,26 @@ test('hidden outlines and an animation are those of drawSVG', async () => {
   expect(svgs[0]).toContain('prefers-reduced-motion');
   const { svgs: plain } = await draw('b.obj', octahedronObj, ...SMALL);
   expect(plain[0]).not.toMatch(/inkscape:label="\d+ hidden|prefers-reduced-motion/);
+});
+
+describe('what is done to a file', () => {
+  test('is left on request, and both sides are drawn', async () => {
+    const builder = tetrahedron();
+    const inward = Uint16Array.of(0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2);
+    builder.json.meshes[0].primitives[0].indices = builder.accessor(inward, 'SCALAR');
+    const glb = builder.glb();
+    expect((await draw('room.glb', glb, ...SMALL)).notes).toEqual([
+      'room.glb: its surfaces have one side, as the file says, and are seen through from outside.',
+    ]);
+    expect((await draw('room.glb', glb, ...SMALL, '--both-sides')).notes).toEqual([
+      'room.glb: surfaces are drawn from both sides, also one-sided ones.',
+    ]);
+    const linked = await draw('room.glb', glb, ...SMALL, '--link', '#technique=engraving&switched=sides');
+    expect(linked.notes).toEqual(['room.glb: surfaces are drawn from both sides, also one-sided ones.']);
+    const obj = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n';
+    expect((await draw('inside.obj', obj, ...SMALL)).notes).toEqual([
+      'inside.obj: 4 triangles that faced inward turned around.',
+    ]);
+    expect((await draw('inside.obj', obj, ...SMALL, '--as-written', 'orientation,up')).notes).toEqual([]);
+  });
 });
