@@ -80,6 +80,7 @@ export const OFFERS = {
     'measuredFacts.ts',
     'presetMaterials.ts',
     'queries.ts',
+    'relativeOcclusion.ts',
     'surroundings.ts',
     'constants/lineConstants.ts',
     'constants/patternConstants.ts',
