@@ -2,8 +2,8 @@ import { type BufferGeometry, FrontSide, type Material, type Mesh, Vector3 } fro
 
 /** The greatest number of triangles of a mesh that are read; in larger meshes each stands for its neighbours. */
 const MOST_TRIANGLES = 4096;
-/** The share of its box that a model must enclose from within to be a room. A floor alone has a sixth, each wall another. */
-const ENCLOSED = 0.4;
+/** The share of its box that a model must enclose from within to be a room. */
+const ENCLOSED = 0.1;
 
 /**
  * Lets the walls of a room of one-sided surfaces cast shadows with the side that is seen, so that a ceiling and walls that are not

@@ -37,11 +37,3 @@ test('bodies, sheets, a hollow body and a room of double sides cast as in three.
   const sheet = new Mesh(new PlaneGeometry(2, 2), new MeshBasicMaterial());
   expect(sidesOf(sheet)).toEqual([null]);
 });
-
-test('bodies on a ground are no room', () => {
-  const ground = new Mesh(new PlaneGeometry(20, 14), new MeshBasicMaterial());
-  ground.rotation.x = -Math.PI / 2;
-  ground.position.y = -0.5;
-  const body = box(1, false);
-  expect(sidesOf(ground, body)).toEqual([null, null]);
-});
