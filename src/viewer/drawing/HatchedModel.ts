@@ -30,7 +30,6 @@ import type {
 import { type ModelExtras, NO_EXTRAS } from '../files/common/ModelExtras.js';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import type { Look } from '../settings/lookOf.js';
-import { castAsSeen } from './castAsSeen.js';
 import type { ModelParts } from './ModelParts.js';
 import type { Motion } from './Motion.js';
 import {
@@ -152,8 +151,6 @@ export class HatchedModel {
     this.surfaces = materials.map(surfaceOf);
     this.meshes = meshesOf(root);
     for (const mesh of this.meshes) mesh.castShadow = mesh.receiveShadow = !isGlass(mesh);
-    root.updateMatrixWorld();
-    castAsSeen(this.meshes);
     this.sets = {
       drawn: setOf(
         materials,
