@@ -29,6 +29,7 @@ const SEPARATE = [
       // Shared by the techniques, by outlines and by what hatches scenes.
       ...['look/vectors', 'scene/GivenValues', 'material/fieldFrameName', 'material/geometry/(?:formAngles|lineFades)'],
       ...['material/three/(?:batches|posing)', 'material/deformation/laterDeformations', 'mesh/bake/pullLayout'],
+      ...['material/outlines/(?:IntersectingOutlines|loadIntersections)', 'mesh/occlusion/occlusionSides'],
     ),
   },
   // Shared by materials and bakes, whose files are loaded later.
@@ -68,7 +69,7 @@ const SEPARATE = [
 const OF_NODES = [
   {
     name: 'linesShared',
-    test: modules('look/constants/\\w+', 'material/parts/fieldFrame'),
+    test: modules('look/(?:constants/\\w+|relativeOcclusion)', 'material/parts/fieldFrame'),
     priority: 8,
   },
   {

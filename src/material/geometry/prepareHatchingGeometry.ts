@@ -11,7 +11,7 @@ import { runTask } from '../../worker/runTask.js';
 import { checkNames } from '../../worker/TaskOptions.js';
 import { fetchDeformations } from '../deformation/laterDeformations.js';
 import { mustBeAwaited } from '../diagnostics/warn.js';
-import { applyCorners, applyIndexed, applyPull } from './bakedGeometry.js';
+import { applyCorners, applyIndexed, applyPull, attributeFromWords } from './bakedGeometry.js';
 import { checkGeometry } from './checkGeometry.js';
 import { type CornerRange, cornerRange, extractMesh } from './extractMesh.js';
 import { formRequest } from './HatchingFormOptions.js';
@@ -202,7 +202,9 @@ async function turning(
   const finding = runTask('orientChecked', request, { signal, createWorker }, again);
   const [{ turnSource }, isTurned] = await Promise.all([import('./turnSource.js'), finding]);
   const turnedTriangles = isTurned.reduce((sum, one) => sum + one, 0);
-  return turnedTriangles === 0 ? leaveSource : (source) => ({ ...turnSource(source, kept, isTurned), turnedTriangles });
+  return turnedTriangles === 0
+    ? leaveSource
+    : (source) => ({ ...turnSource(source, kept, isTurned, attributeFromWords), turnedTriangles });
 }
 
 function extractSource(geometry: BufferGeometry, range: CornerRange, kept: readonly KeptAttribute[]): ExtractedSource {

@@ -1,4 +1,4 @@
-import { Matrix4, type Mesh } from 'three';
+import { type Material, Matrix4, type Mesh } from 'three';
 import {
   INTERSECTION,
   IS_EDGE,
@@ -10,8 +10,7 @@ import {
 import { paddedWords } from '../../mesh/bake/pullLayout.js';
 import { OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
-import { type OutlinePart, unlistedPart } from './OutlineParts.js';
-import { isScaledToNothing } from './surfaceRules.js';
+import type { OutlinePart } from './OutlineParts.js';
 
 /** The greatest difference of numbers of two matrices that count as equal, as a share of the largest: rounding of a chain of matrices. */
 const ROUNDING = 1e-6;
@@ -28,6 +27,9 @@ interface MeetingPair {
   /** Whether they were drawn in the last frame. */
   isDrawn: boolean;
 }
+
+/** Makes a part of outlines. It is given, since pages that load outlines without these lines would fetch what the two share as one more file. */
+export type NewPart = (data: OutlineData, surface: Material) => OutlinePart;
 
 const relative = /* @__PURE__ */ new Matrix4();
 
@@ -49,7 +51,7 @@ function areEqual(a: Matrix4, b: Matrix4): boolean {
 /** Whether a mesh and all above it are visible. */
 function isShown(mesh: Mesh): boolean {
   for (let object: Mesh['parent'] = mesh; object !== null; object = object.parent) if (!object.visible) return false;
-  return !isScaledToNothing(mesh.matrixWorld);
+  return mesh.matrixWorld.determinant() !== 0;
 }
 
 /** The lines along which a mesh meets others, as a part of its outlines. */
@@ -89,7 +91,7 @@ export class MeetingLines {
   }
 
   /** The parts of outlines, and the lines that are valid now. Allocates nothing while those are the same as in the last frame. */
-  add(own: readonly OutlinePart[]): readonly OutlinePart[] {
+  add(own: readonly OutlinePart[], newPart: NewPart): readonly OutlinePart[] {
     let isSame = this.part !== null;
     let isAny = false;
     for (let i = 0; i < this.pairs.length; i++) {
@@ -105,7 +107,7 @@ export class MeetingLines {
       isAny ||= isDrawn;
     }
     if (!isAny || own.length === 0) return own;
-    if (!isSame) this.makePart(own);
+    if (!isSame) this.makePart(own, newPart);
     const part = this.part!;
     part.surface = own[0].surface;
     if (own !== this.own || !isSame) {
@@ -127,10 +129,10 @@ export class MeetingLines {
     return other === this.outlines || areEqual(relativeTo(other.mesh, mesh, relative), computed);
   }
 
-  private makePart(own: readonly OutlinePart[]): void {
+  private makePart(own: readonly OutlinePart[], newPart: NewPart): void {
     this.dropPart();
     const drawn = this.pairs.filter(({ isDrawn }) => isDrawn);
-    this.part = unlistedPart(packedData(drawn), own[0].surface);
+    this.part = newPart(packedData(drawn), own[0].surface);
   }
 
   private dropPart(): void {

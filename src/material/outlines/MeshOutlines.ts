@@ -27,7 +27,7 @@ import type { ContourList } from './ContourList.js';
 import type { InstanceList } from './InstanceList.js';
 import { fetchedLists } from './laterLists.js';
 import { drawnParts, forgetIntersections } from './loadIntersections.js';
-import { type OutlinePart, OutlineParts } from './OutlineParts.js';
+import { type OutlinePart, OutlineParts, unlistedPart } from './OutlineParts.js';
 import { copyDrawState, type DrawState, isScaledToNothing, takeDrawState } from './surfaceRules.js';
 
 /** The layers of outlines: those of their mesh, at any time, unless the outlines have been given layers of their own. */
@@ -262,7 +262,7 @@ export abstract class MeshOutlines<Look extends Material = Material> extends Spr
     // The test uses only what all renderers have.
     const isOutside = mesh.frustumCulled && !isInFrustum(mesh, renderer as WebGLRenderer, camera);
     if (isOutside) return NO_PARTS;
-    return drawnParts(this, parts);
+    return drawnParts(this, parts, unlistedPart);
   }
 
   /** Sets the number of primitives of the next draw. */

@@ -1,4 +1,4 @@
-import { Box3, Matrix4, type Mesh, type Object3D } from 'three';
+import { Box3, type Material, Matrix4, type Mesh, type Object3D } from 'three';
 import type { PackedSurface } from '../../mesh/intersections/intersectOutlines.js';
 import { MOST_TRIANGLES, pairsOf } from '../../mesh/intersections/pairsOf.js';
 import { runTask } from '../../worker/runTask.js';
@@ -6,9 +6,8 @@ import type { TaskOptions } from '../../worker/TaskOptions.js';
 import { deforms } from '../deformation/canDeform.js';
 import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
-import { MeetingLines, relativeTo } from './MeetingLines.js';
+import { MeetingLines, type NewPart, relativeTo } from './MeetingLines.js';
 import type { OutlinePart } from './OutlineParts.js';
-import { isCutOut } from './surfaceRules.js';
 
 /** How long meshes rest before the lines between them are computed, milliseconds. */
 const REST = 120;
@@ -143,11 +142,14 @@ function topOf(object: Object3D): Object3D {
   return top;
 }
 
+/** Whether parts of a surface may be discarded. */
+const hasHoles = ({ alphaHash, alphaTest }: Material): boolean => alphaHash || alphaTest > 0;
+
 /** Whether a mesh has one shape and one place, and is no picture cut out of cards. */
 function isRigid(mesh: Mesh): boolean {
   const { geometry, material, matrixWorld } = mesh;
   if ('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh || deforms(geometry, mesh)) return false;
-  return matrixWorld.determinant() !== 0 && !(Array.isArray(material) ? material : [material]).every(isCutOut);
+  return matrixWorld.determinant() !== 0 && !(Array.isArray(material) ? material : [material]).every(hasHoles);
 }
 
 function boxOf({ geometry, matrixWorld }: Mesh): Float64Array | null {
@@ -173,7 +175,8 @@ function packedSurface({ data, mesh: { matrixWorld } }: Searched): PackedSurface
 export const withIntersections = (
   outlines: IntersectingOutlines,
   parts: readonly OutlinePart[],
-): readonly OutlinePart[] => sceneOf(topOf(outlines.mesh!)).note(outlines).lines.add(parts);
+  newPart: NewPart,
+): readonly OutlinePart[] => sceneOf(topOf(outlines.mesh!)).note(outlines).lines.add(parts, newPart);
 
 /** Frees the lines of outlines. */
 export function forgetIntersections(outlines: IntersectingOutlines): void {

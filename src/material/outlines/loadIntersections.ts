@@ -1,26 +1,31 @@
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
+import type { NewPart } from './MeetingLines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import type * as SceneIntersections from './SceneIntersections.js';
 
 let loaded: typeof SceneIntersections | null = null;
 /** Outlines that were drawn before the code was there. */
-const waiting = /* @__PURE__ */ new Set<IntersectingOutlines>();
+const waiting = /* @__PURE__ */ new Map<IntersectingOutlines, NewPart>();
 
 /** Fetches the code that finds lines of intersection, and computes them below an object. */
 export async function loadIntersections(): Promise<typeof SceneIntersections> {
   loaded ??= await import('./SceneIntersections.js');
-  for (const outlines of waiting) loaded.withIntersections(outlines, []);
+  for (const [outlines, newPart] of waiting) loaded.withIntersections(outlines, [], newPart);
   waiting.clear();
   return loaded;
 }
 
 /** The parts of outlines to draw, with the lines where their mesh meets others, as far as those are wanted and known. */
-export function drawnParts(outlines: IntersectingOutlines, parts: readonly OutlinePart[]): readonly OutlinePart[] {
+export function drawnParts(
+  outlines: IntersectingOutlines,
+  parts: readonly OutlinePart[],
+  newPart: NewPart,
+): readonly OutlinePart[] {
   if (!wantsIntersections(outlines)) return parts;
-  if (loaded) return loaded.withIntersections(outlines, parts);
+  if (loaded) return loaded.withIntersections(outlines, parts, newPart);
   // What cannot be fetched leaves lines out, no more.
   if (waiting.size === 0) loadIntersections().catch(() => {});
-  waiting.add(outlines);
+  waiting.set(outlines, newPart);
   return parts;
 }
 

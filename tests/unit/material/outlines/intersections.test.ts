@@ -4,7 +4,7 @@ import { expect, test } from 'vitest';
 import { outlineDataOf } from '../../../../src/material/geometry/OutlineData.js';
 import type { HatchingOutlines } from '../../../../src/material/outlines/HatchingOutlines.js';
 import { drawnParts } from '../../../../src/material/outlines/loadIntersections.js';
-import { OutlineParts } from '../../../../src/material/outlines/OutlineParts.js';
+import { OutlineParts, unlistedPart } from '../../../../src/material/outlines/OutlineParts.js';
 import { applyHatching } from '../../../../src/scene/applyHatching.js';
 
 /** Lines where meshes meet, as parts of their outlines. */
@@ -24,7 +24,7 @@ function segmentsOf(outlines: HatchingOutlines): number {
   const { mesh } = outlines;
   mesh!.updateWorldMatrix(true, false);
   const own = new OutlineParts().of(mesh!, outlineDataOf(mesh!.geometry)!);
-  const more = drawnParts(outlines, own).slice(own.length);
+  const more = drawnParts(outlines, own, unlistedPart).slice(own.length);
   return more.reduce((sum, { data }) => sum + data.edgeCount, 0);
 }
 
