@@ -166,9 +166,7 @@ test('a mirrored part of a model is not turned inside out', { tag: '@all' }, asy
   await drop(page, [file('octahedron.glb', octahedronGlb())]);
   await expect(page.locator('#model-statistics')).toHaveText('16 triangles');
   // A model that is opened gets a light of its own.
-  await follow(page, 'model=file&lightAzimuth=0&lightElevation=60');
-  // From the three-quarter view to the front.
-  for (let i = 0; i < 6; i++) await page.locator('#drawing').press('ArrowLeft');
+  await follow(page, 'model=file&lightAzimuth=0&lightElevation=60&camera=0,1,6,0,0,0');
   const picture = await readDrawing(page);
   // Lit from above. Turned inside out, the octahedron would be lighter below.
   const top = { ...WHOLE, bottom: 0.5 };
@@ -193,6 +191,7 @@ test('a picked file is drawn, with its colours and its picture', { tag: '@all' }
 
   await drop(page, [file('square.obj', squareObj), file('square.mtl', squareMtl), file('sky.png', skyPng())]);
   await expect(page.locator('#model-name')).toHaveText('square.obj');
+  await follow(page, 'model=file&camera=0,0,5,0,0,0');
   const picture = await readDrawing(page);
   const count = { blue: 0, green: 0, blueUnderGreen: 0 };
   const greenColumns = new Set<number>();
