@@ -298,7 +298,7 @@ function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, o
     normal.fromArray(normals, 3 * i).applyMatrix3(toWorldNormal);
     const stretched = normal.length();
     normal.divideScalar(stretched);
-    // Either side of a double-sided surface may be seen, depending on the camera.
+    // Either side of a double-sided surface may be seen, depending on the camera, and mostly the one that is more open.
     const sides = material.side === DoubleSide ? 2 : 1;
     const first = material.side === BackSide ? 1 : 0;
     if (first === 1) normal.negate();
@@ -307,8 +307,9 @@ function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, o
     writeColor?.(i, color);
     const luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
     seen.lightness.add(lightness(Math.min(luminance, 1)), area);
+    const least = sides === 1 ? occlusion[2 * i + first] : Math.min(occlusion[2 * i], occlusion[2 * i + 1]);
+    const occluded = relativeOcclusion(least, openOcclusion);
     for (let side = first; side < first + sides; side++) {
-      const occluded = relativeOcclusion(occlusion[2 * i + side], openOcclusion);
       // What lies in a hollow is hardly seen.
       seen.colors.add(color, (area * (1 - occluded)) / sides);
       const open = openToLamps(occluded, material.occlusion);
