@@ -4,11 +4,11 @@ import { forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 import { weldPositions } from '../weldPositions.js';
 
-/** The bodies of a mesh: what is connected by vertices at the same positions. */
-interface Bodies {
-  /** The body of each vertex, as a disjoint set. */
-  parents: Uint32Array;
-  /** For each body the sum of hashes of its directed edges, which those of their reverses cancel. */
+/** The bodies of a mesh, each named by one of its vertices: what is connected by vertices at the same positions. */
+export interface Bodies {
+  /** The body of each triangle. */
+  ofTriangles: Uint32Array;
+  /** For each body the sum of hashes of its directed edges, which those of their reverses cancel: 0 if it is closed. */
   edges: Int32Array;
   /** Six times the volume that each body encloses. */
   volumes: Float64Array;
@@ -21,28 +21,31 @@ interface Bodies {
  * @returns for each triangle 1 if it is open
  */
 export function* openTriangles(mesh: TriangleMesh): Generator<number, Uint8Array<ArrayBuffer>, void> {
+  const { canonical } = yield* weldPositions(mesh.positions);
+  const { ofTriangles, edges, volumes } = yield* measureBodies(mesh, canonical);
+  return Uint8Array.from(ofTriangles, (body) => (edges[body] !== 0 || volumes[body] < 0 ? 1 : 0));
+}
+
+/** Finds the bodies of a mesh. @param canonical for each vertex the first one at its position */
+export function* measureBodies(mesh: TriangleMesh, canonical: Uint32Array): Generator<number, Bodies, void> {
   const { positions, indices } = mesh;
-  const { canonical } = yield* weldPositions(positions);
   const triangles = indices.length / 3;
   const vertices = positions.length / 3;
+  const parents = disjointSets(vertices);
+  yield* forEachChunk(triangles, (start, end) => joinTriangles(mesh, canonical, parents, start, end));
   const bodies: Bodies = {
-    parents: disjointSets(vertices),
+    ofTriangles: Uint32Array.from({ length: triangles }, (_, i) => rootOf(parents, canonical[indices[3 * i]])),
     edges: new Int32Array(vertices),
     volumes: new Float64Array(vertices),
   };
-  yield* forEachChunk(triangles, (start, end) => joinTriangles(mesh, canonical, bodies, start, end));
   yield* forEachChunk(triangles, (start, end) => measureTriangles(mesh, canonical, bodies, start, end));
-  const { parents, edges, volumes } = bodies;
-  return Uint8Array.from({ length: triangles }, (_, triangle) => {
-    const body = rootOf(parents, canonical[indices[3 * triangle]]);
-    return edges[body] !== 0 || volumes[body] < 0 ? 1 : 0;
-  });
+  return bodies;
 }
 
 function joinTriangles(
   { indices }: TriangleMesh,
   canonical: Uint32Array,
-  { parents }: Bodies,
+  parents: Uint32Array,
   start: number,
   end: number,
 ): void {
@@ -55,7 +58,7 @@ function joinTriangles(
 function measureTriangles(
   { positions, indices }: TriangleMesh,
   canonical: Uint32Array,
-  { parents, edges, volumes }: Bodies,
+  { ofTriangles, edges, volumes }: Bodies,
   start: number,
   end: number,
 ): void {
@@ -63,7 +66,7 @@ function measureTriangles(
     const a = canonical[indices[corner]];
     const b = canonical[indices[corner + 1]];
     const c = canonical[indices[corner + 2]];
-    const body = rootOf(parents, a);
+    const body = ofTriangles[corner / 3];
     edges[body] += directed(a, b) + directed(b, c) + directed(c, a);
     volumes[body] += pyramid(positions, 3 * body, 3 * a, 3 * b, 3 * c);
   }

@@ -1,10 +1,11 @@
-import { computeAreaNormals } from '../computeAreaNormals.js';
+import { computeAreaNormals, doubleArea } from '../computeAreaNormals.js';
 import { asPhase } from '../phases.js';
 import { type TriangleMesh, validateTriangleMesh } from '../TriangleMesh.js';
 import { weldPositions } from '../weldPositions.js';
 import { consistentPatches, NO_PATCH, type Patches } from './consistentPatches.js';
 import { Enclosures } from './Enclosures.js';
 import { measureParts, type Part } from './measureParts.js';
+import { type Bodies, measureBodies } from './openTriangles.js';
 import { type SideVotes, sideVotes } from './sideVotes.js';
 
 /** How much less an open patch must be seen from its front than from its back for it to be turned. Others are seen from both sides. */
@@ -26,7 +27,8 @@ const MOST_COMPARISONS = 5e7;
  *
  * - a closed patch inside another one is left as most of it is: it may be the wall of a cavity;
  * - a patch around others, such as a room with its furniture, is left unless they face inward, too;
- * - an open patch that is seen about as much from both sides, or not at all, is left as most of it is.
+ * - an open patch that is seen about as much from both sides, or not at all, is left as most of it is;
+ * - open patches that close each other, where more than two triangles share an edge, are turned together or not at all.
  *
  * @returns for each triangle 1 if two of its corners are to be exchanged
  */
@@ -50,8 +52,34 @@ export function* orientTriangles(mesh: TriangleMesh): Generator<number, Uint8Arr
     const patch = patchOf[triangle];
     if (patch !== NO_PATCH && isTurned[patch]) turned[triangle] ^= 1;
   }
+  if (turned.includes(1) && parts.some(({ isClosed }) => !isClosed)) {
+    const bodies = yield* measureBodies(mesh, canonical);
+    const isOpen = (triangle: number): boolean => patchOf[triangle] !== NO_PATCH && !parts[patchOf[triangle]].isClosed;
+    turnTogether(bodies, areaNormals, isOpen, turned);
+  }
   yield 1;
   return turned;
+}
+
+/** Turns the open patches of each closed body as most of their area is turned, since one alone would leave a gap. */
+function turnTogether(
+  { ofTriangles, edges }: Bodies,
+  areaNormals: Float64Array,
+  isOpen: (triangle: number) => boolean,
+  turned: Uint8Array,
+): void {
+  /** Of each closed body the area of what is turned, less that of the rest. */
+  const balance = new Map<number, number>();
+  for (let triangle = 0; triangle < turned.length; triangle++) {
+    const body = ofTriangles[triangle];
+    if (edges[body] !== 0 || !isOpen(triangle)) continue;
+    const area = doubleArea(areaNormals, triangle);
+    balance.set(body, (balance.get(body) ?? 0) + (turned[triangle] ? area : -area));
+  }
+  for (let triangle = 0; triangle < turned.length; triangle++) {
+    const sum = balance.get(ofTriangles[triangle]);
+    if (sum !== undefined && isOpen(triangle)) turned[triangle] = sum > 0 ? 1 : 0;
+  }
 }
 
 /**

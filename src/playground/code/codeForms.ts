@@ -3,6 +3,7 @@ import { shownName } from '../../viewer/files/common/ModelError.js';
 import { FULL_SHEET, LEAST_STROKE_SHARE } from '../../viewer/sceneSetup/framing.js';
 import { GROUND } from '../../viewer/sceneSetup/Ground.js';
 import { LENS } from '../../viewer/sceneSetup/LensCamera.js';
+import type { Settings } from '../../viewer/settings/settings.js';
 import { codeLook, entries, lightSample, lookSample, round, when } from './lookSample.js';
 import { type CodeDrawing, type CodeModel, IMPORT_MAP, type ModelSource, modelSource } from './modelSource.js';
 
@@ -65,6 +66,7 @@ function drawingSample(drawing: CodeDrawing): string {
   const { paper, lights } = codeLook(settings);
   const made = modelSource(drawing.model);
   const clip = made.hasClips ? drawing.model.clip : undefined;
+  const look: Settings = drawing.model.hasParts ? settings : { ...settings, outlineMeetings: 'off' };
   const posing = `
 const mixer = new AnimationMixer(model);
 mixer.clipAction(animations[${clip?.index}]).play();
@@ -86,7 +88,7 @@ controls.update();
 ${made.code}
 ${placed(drawing, made)}${when(clip, posing)}
 
-${lookSample(settings, 'root', { share: 'share', isOpen: drawing.model.isOpen })}
+${lookSample(look, 'root', { share: 'share', isOpen: drawing.model.isOpen })}
 ${surroundings(drawing)}
 ${lightSample(settings, 'root')}
 

@@ -40,6 +40,8 @@ export interface CodeModel {
   sceneRadius: number | undefined;
   /** Whether its surfaces are drawn from both sides, whatever its file says. */
   isOpen: boolean;
+  /** Whether lines are drawn where its parts meet, if the settings ask for them. */
+  hasParts: boolean;
   /** How a scene is moved to the middle and scaled to a radius of 1. The code measures a single mesh itself. */
   place?: { scale: number; position: [number, number, number] } | undefined;
   /** The clip that poses a scene, and the time in the clip in seconds. */

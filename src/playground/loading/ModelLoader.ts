@@ -316,13 +316,14 @@ export class ModelLoader {
   /** The shown model in the form that copied code needs. */
   get codeModel(): CodeModel {
     const { model, title, sceneRadius, isOpen } = this.shown;
-    const { root, motion } = this.viewport.model ?? {};
+    const { root, motion, parts } = this.viewport.model ?? {};
     const { clip: index = -1, time = 0, isPlaying = false } = motion ?? {};
     return {
       model,
       title,
       sceneRadius,
       isOpen,
+      hasParts: parts !== undefined,
       place: root && sceneRadius ? { scale: root.scale.x, position: root.position.toArray() } : undefined,
       clip: index === -1 ? undefined : { index, time, isPlaying },
     };

@@ -202,8 +202,10 @@ export class HatchedModel {
         }
         yield;
       }
+      // A body without parts, such as a scan, may have loose pieces on its skin, whose lines would be specks.
+      const outlines = { ...look.outlines, intersections: look.outlines.intersections && this.parts !== undefined };
       for (const [, { outlineMaterials }] of this.kinds())
-        for (const material of outlineMaterials) material.setValues(look.outlines);
+        for (const material of outlineMaterials) material.setValues(outlines);
     }
     shown.look = look;
     this.show('whole');

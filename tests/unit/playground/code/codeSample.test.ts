@@ -23,7 +23,7 @@ const OURS = ['TonalArtMap', 'applyHatching', 'bakeOcclusion', 'presets'];
 
 const codeSample = (settings: Settings, sceneRadius?: number): string =>
   codeForms.look({
-    model: { model: 'file', title: 'model.glb', sceneRadius, isOpen: false },
+    model: { model: 'file', title: 'model.glb', sceneRadius, isOpen: false, hasParts: true },
     settings,
     camera: { position: [0, 0, 4], target: [0, 0, 0] },
     groundHeight: -1,

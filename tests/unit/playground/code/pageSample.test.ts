@@ -17,7 +17,7 @@ const pageSample = (drawing: CodeDrawing): string => codeForms.page(drawing).cod
 const moduleSample = (drawing: CodeDrawing): string => codeForms.module(drawing).code;
 
 const drawing = (model: Partial<CodeDrawing['model']>, settings: Partial<Settings> = {}): CodeDrawing => ({
-  model: { model: 'file', title: 'bust.glb', sceneRadius: undefined, isOpen: false, ...model },
+  model: { model: 'file', title: 'bust.glb', sceneRadius: undefined, isOpen: false, hasParts: true, ...model },
   settings: { ...defaultSettings(), ...settings },
   camera: { position: [0.123456, 1, 4], target: [0, 0, 0] },
   groundHeight: -0.7,
