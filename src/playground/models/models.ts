@@ -106,9 +106,7 @@ function dragon(url: string, occlusion?: string): BuiltIn {
       const ahead = takeReadAhead(url);
       const files = ahead ? named(ahead.files, options.signal) : fetchDragon(url, options.signal);
       const known = occlusion === undefined ? undefined : fetchOcclusion(occlusion, options.signal);
-      // Copied code leaves loose fragments of the scan as they are. The dragon with baked occlusion is read as the build read it.
-      const switched = known === undefined ? (['orientation'] as const) : [];
-      const read = await loadModelFiles(files, { ...options, switched }, ahead);
+      const read = await loadModelFiles(files, options, ahead);
       return read.kind === 'mesh' ? { ...read, occlusion: await known } : read;
     },
   };
