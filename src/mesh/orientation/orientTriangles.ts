@@ -1,19 +1,21 @@
-import { computeAreaNormals, doubleArea } from '../computeAreaNormals.js';
+import { computeAreaNormals } from '../computeAreaNormals.js';
 import { asPhase } from '../phases.js';
 import { type TriangleMesh, validateTriangleMesh } from '../TriangleMesh.js';
 import { weldPositions } from '../weldPositions.js';
 import { consistentPatches, NO_PATCH, type Patches } from './consistentPatches.js';
 import { Enclosures } from './Enclosures.js';
 import { measureParts, type Part } from './measureParts.js';
-import { type Bodies, measureBodies } from './openTriangles.js';
-import { type SideVotes, sideVotes } from './sideVotes.js';
+import { bodiesOf, edgeSums } from './openTriangles.js';
+import { sideVotes } from './sideVotes.js';
 
-/** How much less an open patch must be seen from its front than from its back for it to be turned. Others are seen from both sides. */
+/** How much less an open patch must be seen from one side than from the other for its side to be clear. Others are seen from both. */
 const LEAST_SHARE = 0.56;
 /** The fewest votes that tell the side of a patch. */
 const LEAST_VOTES = 4;
-/** Open patches of a lesser share of the area in all are left: scans have fragments that face any way. */
+/** Patches with borders or pinched edges are left if their share of the area in all is less: scans have fragments that face any way. */
 const FRAGMENTS = 0.002;
+/** A closed patch of a lesser volume, as a share of the power 3/2 of its area, is a sheet that lies on itself. */
+const FLAT = 1e-6;
 /** What is inside a patch counts if it has at least this share of its area. */
 const CONTENTS = 0.03;
 /** Samples of a part are moved towards its middle by this share, since parts that touch lie inside one another, too. */
@@ -37,49 +39,76 @@ export function* orientTriangles(mesh: TriangleMesh): Generator<number, Uint8Arr
   const areaNormals = yield* asPhase(computeAreaNormals(mesh), 0.1, 0.15);
   const canonicalCorners = mesh.indices.map((vertex) => canonical[vertex]);
   const patches = yield* asPhase(consistentPatches(canonicalCorners, areaNormals), 0.15, 0.35);
-  const { turned, patchOf } = patches;
+  const { turned, patchOf, isClosed } = patches;
+  // More than two triangles may share an edge of a closed patch.
+  const edges = yield* asPhase(edgeSums(mesh, canonical, patchOf, isClosed.length), 0.35, 0.4);
+  const isPinched = isClosed.map((isWhole, patch) => !isWhole && edges[patch] === 0);
+  for (const patch of isPinched.keys()) isClosed[patch] ||= isPinched[patch];
   const parts = measureParts(mesh, areaNormals, patches);
   const around = enclosingParts(mesh, patches);
   const isTurned = closedInward(parts, around);
+  leaveFragments(parts, isTurned, isPinched);
   if (parts.some(({ isClosed }) => !isClosed)) {
-    const votes = yield* asPhase(sideVotes(mesh, patches, parts), 0.4, 1);
-    const inward = [...parts.keys()].filter((i) => !parts[i].isClosed && openFacesInward(votes, i));
-    const isNoise = areaOf(inward.map((i) => parts[i])) < FRAGMENTS * areaOf(parts);
-    for (const i of inward) isTurned[i] = !isNoise;
+    const votes = yield* asPhase(sideVotes(mesh, patches, parts), 0.4, 0.9);
+    const open = [...parts.keys()].filter((i) => !parts[i].isClosed);
+    const inward = open.filter((i) => isClear(votes.back[i], votes.front[i]));
+    for (const i of inward) isTurned[i] = true;
+    leaveFragments(
+      parts,
+      isTurned,
+      parts.map(({ isClosed }) => !isClosed),
+    );
     for (const i of inward) if (isRoom(parts, i, isTurned, around)) isTurned[i] = false;
+    if (isTurned.includes(true)) {
+      const isRight = parts.map((_, i) => !isTurned[i] && isClear(votes.front[i], votes.back[i]));
+      const bodyOf = yield* bodiesOf(mesh, canonical);
+      turnTogether(bodyOf, edges, patches, parts, isTurned, isRight);
+    }
   }
   for (let triangle = 0; triangle < turned.length; triangle++) {
     const patch = patchOf[triangle];
     if (patch !== NO_PATCH && isTurned[patch]) turned[triangle] ^= 1;
   }
-  if (turned.includes(1) && parts.some(({ isClosed }) => !isClosed)) {
-    const bodies = yield* measureBodies(mesh, canonical);
-    const isOpen = (triangle: number): boolean => patchOf[triangle] !== NO_PATCH && !parts[patchOf[triangle]].isClosed;
-    turnTogether(bodies, areaNormals, isOpen, turned);
-  }
   yield 1;
   return turned;
 }
 
-/** Turns the open patches of each closed body as most of their area is turned, since one alone would leave a gap. */
+/** What is known of the patches of a body that are open by themselves. */
+interface OpenPatches {
+  patches: number[];
+  /** The sum of the hashes of their edges: 0 if they close each other. */
+  edges: number;
+  /** The area of what is to be turned, less that of what is right. */
+  balance: number;
+}
+
+/**
+ * Turns the open patches of a body together if they close each other, as most of them need, by area: one alone would leave a gap.
+ *
+ * @param edges see `edgeSums`, of the patches
+ */
 function turnTogether(
-  { ofTriangles, edges }: Bodies,
-  areaNormals: Float64Array,
-  isOpen: (triangle: number) => boolean,
-  turned: Uint8Array,
+  bodyOf: Uint32Array,
+  edges: Int32Array,
+  { patchOf }: Patches,
+  parts: readonly Part[],
+  isTurned: boolean[],
+  isRight: readonly boolean[],
 ): void {
-  /** Of each closed body the area of what is turned, less that of the rest. */
-  const balance = new Map<number, number>();
-  for (let triangle = 0; triangle < turned.length; triangle++) {
-    const body = ofTriangles[triangle];
-    if (edges[body] !== 0 || !isOpen(triangle)) continue;
-    const area = doubleArea(areaNormals, triangle);
-    balance.set(body, (balance.get(body) ?? 0) + (turned[triangle] ? area : -area));
+  const bodies = new Map<number, OpenPatches>();
+  const isKnown = new Uint8Array(parts.length);
+  for (let triangle = 0; triangle < patchOf.length; triangle++) {
+    const patch = patchOf[triangle];
+    if (patch === NO_PATCH || isKnown[patch] || parts[patch].isClosed) continue;
+    isKnown[patch] = 1;
+    const known = bodies.get(bodyOf[triangle]) ?? { patches: [], edges: 0, balance: 0 };
+    bodies.set(bodyOf[triangle], known);
+    known.patches.push(patch);
+    known.edges = (known.edges + edges[patch]) | 0;
+    if (isTurned[patch] || isRight[patch]) known.balance += (isTurned[patch] ? 1 : -1) * parts[patch].doubleArea;
   }
-  for (let triangle = 0; triangle < turned.length; triangle++) {
-    const sum = balance.get(ofTriangles[triangle]);
-    if (sum !== undefined && isOpen(triangle)) turned[triangle] = sum > 0 ? 1 : 0;
-  }
+  for (const { patches, edges, balance } of bodies.values())
+    if (edges === 0) for (const patch of patches) isTurned[patch] = balance > 0;
 }
 
 /**
@@ -95,18 +124,24 @@ export function* orientChecked(request: {
   return yield* asPhase(orientTriangles(request.mesh), 0.05, 1);
 }
 
+/** Leaves some of the patches as they are if those that would be turned are no more than fragments. */
+function leaveFragments(parts: readonly Part[], isTurned: boolean[], among: readonly boolean[]): void {
+  const turned = [...parts.keys()].filter((i) => among[i] && isTurned[i]);
+  if (areaOf(turned.map((i) => parts[i])) >= FRAGMENTS * areaOf(parts)) return;
+  for (const i of turned) isTurned[i] = false;
+}
+
 const areaOf = (parts: readonly Part[]): number => parts.reduce((sum, { doubleArea }) => sum + doubleArea, 0);
 
-/** Whether an open patch is seen from its back, and clearly less from its front. */
-const openFacesInward = ({ front, back }: SideVotes, patch: number): boolean =>
-  back[patch] >= LEAST_VOTES && front[patch] <= LEAST_SHARE * back[patch];
+/** Whether a patch is seen from one side, and clearly less from the other. */
+const isClear = (votes: number, others: number): boolean => votes >= LEAST_VOTES && others <= LEAST_SHARE * votes;
 
 /** The patches that enclose a part. */
 type Around = (part: Part) => Set<number>;
 
 /** For each part whether it is closed and faces inward without reason. */
 function closedInward(parts: readonly Part[], around: Around): boolean[] {
-  const isInward = parts.map(({ volume }) => volume < 0);
+  const isInward = parts.map(({ volume, doubleArea }) => volume < -FLAT * doubleArea ** 1.5);
   const isTurned = [...isInward];
   const inward = [...parts.keys()].filter((i) => isInward[i]);
   if (inward.length * parts.length > MOST_COMPARISONS) return isTurned;

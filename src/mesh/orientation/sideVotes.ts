@@ -43,7 +43,7 @@ interface NearestMaps {
 }
 
 /**
- * Counts from which side patches are seen, from 32 directions around the mesh. The front of a triangle is where its corners run
+ * Counts from which side patches are seen, from up to 16 directions around the mesh. The front of a triangle is where its corners run
  * counterclockwise after those in `turned` were turned.
  */
 export function* sideVotes(
