@@ -6,6 +6,7 @@
 export const OFFERS = {
   mesh: [
     'corners.ts',
+    'parallelProjection.ts',
     'phases.ts',
     'runSliced.ts',
     'TriangleMesh.ts',

@@ -176,7 +176,7 @@ export class ExposureFit {
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
     for (const place of places) addPlace({ arriving, lightness, colors }, place, lights, area, openOcclusion);
     for (const [material, share] of responsesOf(places)) addSphere(wanted, material, share);
-    const plan = planValues(colors.means);
+    const plan = colors.isUnchanged ? this.fit.plan : planValues(colors.means);
     return Object.assign(this.fit, fitTones(arriving, wanted, lightness), { openOcclusion, plan });
   }
 }

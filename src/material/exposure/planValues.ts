@@ -4,9 +4,19 @@ import type { ValuePlan } from './ToneFit.js';
 /** The colours of a scene with their weights. Emptying it keeps its memory. */
 export class WeightedColors {
   private readonly bins = new Map<number, Color>();
+  /** A sum of all that was added, and that of before the last emptying. */
+  private sum = Number.NaN;
+  private sumBefore = Number.NaN;
 
   clear(): void {
-    this.bins.clear();
+    this.sumBefore = this.sum;
+    this.sum = 0;
+    for (const bin of this.bins.values()) Object.assign(bin, NO_COLOR);
+  }
+
+  /** Whether the colours are those of before the last emptying: under a light that moves, frame by frame. */
+  get isUnchanged(): boolean {
+    return this.sum === this.sumBefore;
   }
 
   /** Adds a colour in linear light. Weights that are not positive numbers are left out. */
@@ -14,8 +24,12 @@ export class WeightedColors {
     if (!(weight > 0 && weight < Infinity)) return;
     const key = keyOf(rgb);
     if (!Number.isFinite(key)) return;
-    const bin = this.bins.get(key) ?? { r: 0, g: 0, b: 0, weight: 0 };
-    this.bins.set(key, bin);
+    let bin = this.bins.get(key);
+    if (!bin) {
+      bin = { ...NO_COLOR };
+      this.bins.set(key, bin);
+    }
+    this.sum += weight * (1 + rgb[0] + 3 * rgb[1] + 9 * rgb[2]);
     bin.r += weight * clamp01(rgb[0]);
     bin.g += weight * clamp01(rgb[1]);
     bin.b += weight * clamp01(rgb[2]);
@@ -24,7 +38,7 @@ export class WeightedColors {
 
   /** The mean colour of each bin, and its share of the weight. */
   get means(): Color[] {
-    const bins = [...this.bins.values()];
+    const bins = [...this.bins.values()].filter(({ weight }) => weight > 0);
     const all = bins.reduce((sum, { weight }) => sum + weight, 0);
     return bins.map(({ r, g, b, weight }) => ({
       r: r / weight,
@@ -41,6 +55,8 @@ interface Color {
   b: number;
   weight: number;
 }
+
+const NO_COLOR: Readonly<Color> = { r: 0, g: 0, b: 0, weight: 0 };
 
 /** The number of bins along red, green and blue. */
 const BINS = 24;

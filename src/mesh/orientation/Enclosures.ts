@@ -1,5 +1,5 @@
 import { measureBounds } from '../measureBounds.js';
-import { mapAxes, project, projectionOf } from '../occlusion/addDirections.js';
+import { mapAxes, project, projectionOf } from '../parallelProjection.js';
 import { runToEnd } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 import { NO_PATCH, type Patches } from './consistentPatches.js';

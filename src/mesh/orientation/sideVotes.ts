@@ -1,5 +1,5 @@
 import { type Bounds, measureBounds } from '../measureBounds.js';
-import { EDGE, mapAxes, project, projectionOf } from '../occlusion/addDirections.js';
+import { EDGE, mapAxes, project, projectionOf } from '../parallelProjection.js';
 import { asPhase, forEachChunk } from '../phases.js';
 import type { TriangleMesh } from '../TriangleMesh.js';
 import { NO_PATCH, type Patches } from './consistentPatches.js';

@@ -26,17 +26,15 @@ const MOST_VIEWS = 4;
 const APART = 60;
 
 /** The weight of each measure, per standard deviation among the views of a surface. */
-const WEIGHTS: Readonly<Record<keyof ViewMeasures, number>> = {
+const WEIGHTS = {
   visibility: 0.35,
-  cover: 0,
   outline: 0.15,
   depth: 0.1,
   relief: 0.35,
   inner: 0.15,
   sides: 0.3,
   backs: -0.6,
-  near: 0,
-};
+} satisfies Partial<Record<keyof ViewMeasures, number>>;
 /** The weight of the logarithm of the area that a view covers, which is least for a plate that is seen edge-on. */
 const COVER = 1.5;
 /** A measure that hardly varies is no reason: deviations count as at least this share of the mean. */
@@ -103,7 +101,7 @@ const angleBetween = (a: number, b: number): number => Math.abs(((((a - b) % 360
 /** The function that rates a view, by the measures of the views that were tried first. */
 function scoreOf(surface: ViewSurface, views: readonly MeasuredView[]): (view: MeasuredView) => number {
   const points = evenPoints(surface);
-  const keys = Object.keys(WEIGHTS) as (keyof ViewMeasures)[];
+  const keys = Object.keys(WEIGHTS) as (keyof typeof WEIGHTS)[];
   const spread = keys.map((key) => {
     const values = views.map(({ measures }) => measures[key]);
     const mean = values.reduce((sum, value) => sum + value, 0) / values.length;

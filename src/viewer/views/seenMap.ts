@@ -1,4 +1,4 @@
-import { EDGE, project, projectionOf } from '../../mesh/occlusion/addDirections.js';
+import { EDGE, project, projectionOf } from '../../mesh/parallelProjection.js';
 import type { ViewSurface } from './viewSurface.js';
 
 /** Pixels to a side of a map. The unit sphere fills it. */

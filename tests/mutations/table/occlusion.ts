@@ -36,7 +36,7 @@ export const occlusion: readonly Mutation[] = [
   },
   {
     name: 'no map is turned about its direction',
-    file: 'src/mesh/occlusion/addDirections.ts',
+    file: 'src/mesh/parallelProjection.ts',
     find: '2 * Math.PI * fraction(0.5 + (index + 1) / RATIO ** 3)',
     replace: '0',
     caughtBy: {
@@ -47,7 +47,7 @@ export const occlusion: readonly Mutation[] = [
   },
   {
     name: 'directions lie about the horizon',
-    file: 'src/mesh/occlusion/addDirections.ts',
+    file: 'src/mesh/parallelProjection.ts',
     find: 'const height = fraction(0.5 + (index + 1) / RATIO);',
     replace: 'const height = fraction(0.5 + (index + 1) / RATIO) ** 2;',
     caughtBy: {

@@ -112,6 +112,21 @@ describe('a plan of values', () => {
     expect(tones.at(-1)).toBeCloseTo(0.56, 1);
   });
 
+  test('is made anew only where its colours are others than before', () => {
+    const colors = new WeightedColors();
+    const found = [grey(0.5), grey(0.5), grey(0.4), grey(0.4)].map((color) => {
+      colors.clear();
+      colors.add(color, 2);
+      return [colors.isUnchanged, colors.means.length];
+    });
+    expect(found).toEqual([
+      [false, 1],
+      [true, 1],
+      [false, 1],
+      [true, 1],
+    ]);
+  });
+
   test('of no colours is that of white, and colours that are no numbers are left out', () => {
     const colors = new WeightedColors();
     colors.add([Number.NaN, 0, 0], 1);

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { mapAxes } from '../../../../src/mesh/occlusion/addDirections.js';
+import { mapAxes } from '../../../../src/mesh/parallelProjection.js';
 
 const COUNT = 256;
 const axes = Array.from({ length: COUNT }, (_, i) => mapAxes(i));
