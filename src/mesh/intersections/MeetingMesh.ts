@@ -57,7 +57,6 @@ export class MeetingMesh {
   readonly shells: Uint32Array;
   /** Keys of edges that have a line already. */
   private readonly lined = new Set<number>();
-  private readonly edgeNumbers = new Map<number, number>();
 
   private constructor(
     /** The vertices of triangles that have an area, three each. */
@@ -119,16 +118,6 @@ export class MeetingMesh {
     if (lined.size === 0) return false;
     return lined.has(this.keyOf(vertices[3 * triangle + k], vertices[3 * triangle + ((k + 1) % 3)]));
   }
-
-  /** The number of the edge between two vertices, counted from 0 in the order in which they are asked for. */
-  edgeNumber(a: number, b: number): number {
-    const { edgeNumbers } = this;
-    const key = this.keyOf(a, b);
-    const known = edgeNumbers.get(key);
-    if (known !== undefined) return known;
-    edgeNumbers.set(key, edgeNumbers.size);
-    return edgeNumbers.size - 1;
-  }
 }
 
 function placeRange(
@@ -155,11 +144,9 @@ function keepRange(
 ): number {
   let next = count;
   for (let t = start; t < end; t++) {
-    const [a, b, c] = [
-      3 * canonical[triangles[3 * t]],
-      3 * canonical[triangles[3 * t + 1]],
-      3 * canonical[triangles[3 * t + 2]],
-    ];
+    const a = 3 * canonical[triangles[3 * t]];
+    const b = 3 * canonical[triangles[3 * t + 1]];
+    const c = 3 * canonical[triangles[3 * t + 2]];
     const ux = places[b] - places[a];
     const uy = places[b + 1] - places[a + 1];
     const uz = places[b + 2] - places[a + 2];
@@ -201,7 +188,9 @@ function writeBoxes(
   end: number,
 ): void {
   for (let t = start; t < end; t++) {
-    const [a, b, c] = [3 * vertices[3 * t], 3 * vertices[3 * t + 1], 3 * vertices[3 * t + 2]];
+    const a = 3 * vertices[3 * t];
+    const b = 3 * vertices[3 * t + 1];
+    const c = 3 * vertices[3 * t + 2];
     for (let axis = 0; axis < 3; axis++) {
       boxes[BOX * t + axis] = Math.min(places[a + axis], places[b + axis], places[c + axis]);
       boxes[BOX * t + 3 + axis] = Math.max(places[a + axis], places[b + axis], places[c + axis]);

@@ -13,6 +13,8 @@ export class TriangleTree {
   readonly firsts: Int32Array;
   /** Triangles of a node. */
   readonly counts: Int32Array;
+  /** The sum of the sides of the box of a node. */
+  readonly sizes: Float64Array;
   /** The shell that all triangles of a node belong to, or `MIXED`. */
   readonly shells: Int32Array;
   /** All triangles, those of a node in a row. */
@@ -24,11 +26,13 @@ export class TriangleTree {
     private readonly shellOf: ArrayLike<number>,
   ) {
     const count = triangleBoxes.length / BOX;
-    this.order = Uint32Array.from({ length: count }, (_, i) => i);
+    this.order = new Uint32Array(count);
+    for (let i = 0; i < count; i++) this.order[i] = i;
     this.boxes = new Float64Array(BOX * Math.max(2 * count, 1));
     this.firsts = new Int32Array(Math.max(2 * count, 1));
     this.counts = new Int32Array(this.firsts.length);
     this.shells = new Int32Array(this.firsts.length);
+    this.sizes = new Float64Array(this.firsts.length);
   }
 
   /**
@@ -50,7 +54,8 @@ export class TriangleTree {
     this.setLeaf(0, 0, order.length);
     const waiting = [0];
     for (let node = waiting.pop(); node !== undefined; node = waiting.pop()) {
-      const [first, count] = [-1 - firsts[node], counts[node]];
+      const first = -1 - firsts[node];
+      const count = counts[node];
       if (count <= LEAF) continue;
       sorted += count;
       if (sorted > 1 << 14) {
@@ -58,8 +63,10 @@ export class TriangleTree {
         yield 0.5;
       }
       const b = BOX * node;
-      const sizes = [0, 1, 2].map((axis) => boxes[b + 3 + axis] - boxes[b + axis]);
-      const axis = sizes.indexOf(Math.max(...sizes));
+      const x = boxes[b + 3] - boxes[b];
+      const y = boxes[b + 4] - boxes[b + 1];
+      const z = boxes[b + 5] - boxes[b + 2];
+      const axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
       const middle = this.partition(first, count, axis, boxes[b + axis] + boxes[b + 3 + axis]);
       firsts[node] = nodes;
       this.setLeaf(nodes, first, middle - first);
@@ -88,21 +95,27 @@ export class TriangleTree {
     const { boxes, order, triangleBoxes, shellOf, shells } = this;
     this.firsts[node] = -1 - first;
     this.counts[node] = count;
-    const target = BOX * node;
-    for (let axis = 0; axis < 3; axis++) {
-      boxes[target + axis] = Infinity;
-      boxes[target + 3 + axis] = -Infinity;
-    }
-    shells[node] = count > 0 ? shellOf[order[first]] : MIXED;
+    let [x0, y0, z0, x1, y1, z1] = [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+    let shell = count > 0 ? shellOf[order[first]] : MIXED;
     for (let i = first; i < first + count; i++) {
-      const triangle = order[i];
-      const source = BOX * triangle;
-      for (let axis = 0; axis < 3; axis++) {
-        boxes[target + axis] = Math.min(boxes[target + axis], triangleBoxes[source + axis]);
-        boxes[target + 3 + axis] = Math.max(boxes[target + 3 + axis], triangleBoxes[source + 3 + axis]);
-      }
-      if (shellOf[triangle] !== shells[node]) shells[node] = MIXED;
+      const s = BOX * order[i];
+      if (triangleBoxes[s] < x0) x0 = triangleBoxes[s];
+      if (triangleBoxes[s + 1] < y0) y0 = triangleBoxes[s + 1];
+      if (triangleBoxes[s + 2] < z0) z0 = triangleBoxes[s + 2];
+      if (triangleBoxes[s + 3] > x1) x1 = triangleBoxes[s + 3];
+      if (triangleBoxes[s + 4] > y1) y1 = triangleBoxes[s + 4];
+      if (triangleBoxes[s + 5] > z1) z1 = triangleBoxes[s + 5];
+      if (shellOf[order[i]] !== shell) shell = MIXED;
     }
+    const t = BOX * node;
+    boxes[t] = x0;
+    boxes[t + 1] = y0;
+    boxes[t + 2] = z0;
+    boxes[t + 3] = x1;
+    boxes[t + 4] = y1;
+    boxes[t + 5] = z1;
+    shells[node] = shell;
+    this.sizes[node] = x1 - x0 + (y1 - y0) + (z1 - z0);
   }
 }
 

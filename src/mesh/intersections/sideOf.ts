@@ -1,12 +1,39 @@
 /** Relative rounding error of a triple product of exact differences, as a share of the sum of its terms' magnitudes (Shewchuk, 1997). */
-const TRIPLE_ERROR = 8e-16;
+export const TRIPLE_ERROR = 8e-16;
 /** The same for a product of two differences. */
 const PAIR_ERROR = 4e-16;
 
+/** The sign of w·(u×v) for vectors of whole numbers below 2^53, exact. */
+export function tripleSign(
+  wx: number,
+  wy: number,
+  wz: number,
+  ux: number,
+  uy: number,
+  uz: number,
+  vx: number,
+  vy: number,
+  vz: number,
+): number {
+  const ax = uy * vz;
+  const bx = uz * vy;
+  const ay = uz * vx;
+  const by = ux * vz;
+  const az = ux * vy;
+  const bz = uy * vx;
+  const product = wx * (ax - bx) + wy * (ay - by) + wz * (az - bz);
+  const terms =
+    (Math.abs(ax) + Math.abs(bx)) * Math.abs(wx) +
+    (Math.abs(ay) + Math.abs(by)) * Math.abs(wy) +
+    (Math.abs(az) + Math.abs(bz)) * Math.abs(wz);
+  if (product > TRIPLE_ERROR * terms) return 1;
+  if (-product > TRIPLE_ERROR * terms) return -1;
+  return exactTriple(wx, wy, wz, ux, uy, uz, vx, vy, vz);
+}
+
 /**
- * The sign of w·(u×v) for vectors of whole numbers below 2^53, exact. A product of 0 has the sign that it gets once the second of two
- * surfaces is moved by a vector (1, ε, ε²) with an infinitely small ε, so that surfaces are never just in contact. 0 only if u and v are
- * parallel.
+ * `tripleSign`, but a product of 0 has the sign that it gets once the second of two surfaces is moved by a vector (1, ε, ε²) with an
+ * infinitely small ε, so that surfaces are never just in contact. 0 only if u and v are parallel.
  *
  * @param shift 1 where w grows with that movement, −1 where it shrinks
  */
@@ -22,20 +49,7 @@ export function sideOf(
   vz: number,
   shift: 1 | -1,
 ): number {
-  const ax = uy * vz;
-  const bx = uz * vy;
-  const ay = uz * vx;
-  const by = ux * vz;
-  const az = ux * vy;
-  const bz = uy * vx;
-  const product = wx * (ax - bx) + wy * (ay - by) + wz * (az - bz);
-  const terms =
-    (Math.abs(ax) + Math.abs(bx)) * Math.abs(wx) +
-    (Math.abs(ay) + Math.abs(by)) * Math.abs(wy) +
-    (Math.abs(az) + Math.abs(bz)) * Math.abs(wz);
-  if (product > TRIPLE_ERROR * terms) return 1;
-  if (-product > TRIPLE_ERROR * terms) return -1;
-  const exact = exactTriple(wx, wy, wz, ux, uy, uz, vx, vy, vz);
+  const exact = tripleSign(wx, wy, wz, ux, uy, uz, vx, vy, vz);
   if (exact !== 0) return exact;
   return shift * (pairSign(uy, vz, uz, vy) || pairSign(uz, vx, ux, vz) || pairSign(ux, vy, uy, vx));
 }

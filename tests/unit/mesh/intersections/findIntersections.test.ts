@@ -1,5 +1,6 @@
 import {
   BoxGeometry,
+  CircleGeometry,
   CylinderGeometry,
   Euler,
   Matrix4,
@@ -89,6 +90,25 @@ describe('lines where two parts meet', () => {
     // The edges of their common box that are edges of neither.
     const found = segmentsOf(meetingMesh(block), meetingMesh(block, at(1, 0.5, 0.25)));
     expect(lengthOf(found)).toBeCloseTo(2 * 1.75 + 2 * 1.5 + 2 * 1, 6);
+  });
+
+  test('a line through vertices that both meshes have: no gap there', () => {
+    const origin = new Vector3();
+    const star = (turn: Euler) => {
+      // Six triangles about the origin, which lie in one plane.
+      const disk = new CircleGeometry(1, 6).applyMatrix4(at(0, 0, 0, turn));
+      disk.attributes.position.setXYZ(0, 0, 0, 0);
+      return meetingMesh(disk);
+    };
+    for (const turn of [new Euler(1.2, 0.1, 0.4), new Euler(0.7, 0.5, 0.05)]) {
+      const found = segmentsOf(star(new Euler(0, 0, 0.2)), star(turn));
+      const ends = found.filter(({ from, to }) => from.distanceTo(origin) < 1e-6 || to.distanceTo(origin) < 1e-6);
+      expect(ends).toHaveLength(2);
+      // Both disks are hexagons, so that the line is as long as the shorter of two chords.
+      expect(lengthOf(found)).toBeGreaterThan(2 * Math.cos(Math.PI / 6) - 1e-6);
+      expect(lengthOf(found)).toBeLessThan(2);
+      expect(endsAt(found).filter((count) => count !== 2)).toHaveLength(2);
+    }
   });
 
   test('the surfaces of a segment form a valley', () => {
