@@ -269,7 +269,7 @@ test('without drawing: a given hand is chosen and varied by keyboard, and the mo
   const given = sheetOf(page).getByRole('combobox', { name: 'Begin from' });
   await given.focus();
   await page.keyboard.press('ArrowDown');
-  await expect(given.locator('option:checked')).toHaveText('a fine pen');
+  await expect(given.locator('option:checked')).toHaveText('a steel pen');
   await expect.poll(async () => (await readDrawing(page)).data.equals(before.data)).toBe(false);
   const fine = await readDrawing(page);
   await page.keyboard.press('ArrowDown');

@@ -111,7 +111,7 @@ const OWN_ENTRIES = {
 /**
  * The library: ES modules, three external. Built in passes, so that each result stands alone: `index` with the worker
  * inlined; with `--mode worker`, `--mode svgWorker` and `--mode handWorker` the same workers as one file each, which a page under a strict Content-Security-Policy
- * can serve from its own origin; with `--mode command` the command for Node and its threads; with `--mode hands` the six hands, with `--mode react` the components and with `--mode element` the web
+ * can serve from its own origin; with `--mode command` the command for Node and its threads; with `--mode hands` the twelve hands, with `--mode react` the components and with `--mode element` the web
  * component, which import `index` as any page does, so that there is one copy of it.
  */
 export default defineConfig(

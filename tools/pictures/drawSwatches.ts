@@ -3,7 +3,7 @@ import type { Hand, HandStroke } from 'three-hatching';
 /** The width of three swatches on the sheet, in millimetres. */
 const SHEET = 66;
 /** The upper edge of the swatches and their name below it, in shares of the width. */
-const TOP = 0.055;
+const TOP = 0.07;
 
 /** Draws the strokes of a hand as they are on their sheet, with its name above. */
 export function drawSwatches(
@@ -16,7 +16,7 @@ export function drawSwatches(
   context.fillStyle = ink;
   context.font = `${Math.round(0.033 * width)}px Georgia, 'DejaVu Serif', serif`;
   context.textAlign = 'center';
-  context.fillText(name, 0.5 * width, TOP * width - 0.01 * width);
+  context.fillText(name, 0.5 * width, 0.045 * width);
   context.save();
   context.translate(0, TOP * width);
   context.scale(scale, scale);

@@ -57,6 +57,15 @@ export interface Picture {
   hand?: ExampleHandName;
 }
 
+/** The swatches of a hand, in the ink and on the paper of a preset. */
+export interface SwatchPicture {
+  swatchesOf: ExampleHandName;
+  preset: PresetName;
+  /** The size of the picture in pixels. */
+  width: number;
+  height: number;
+}
+
 /** Rendered pixels per pixel of the picture, along each axis. */
 const SUPERSAMPLING = 2;
 const SHADOW_MAP_SIZE = 2048;
@@ -99,17 +108,27 @@ async function drawUnder(picture: Picture, content: string, lights: readonly Pic
 
 /** A drawing by a hand, below the swatches that the hand was learnt from. */
 function belowSwatches(drawing: HTMLCanvasElement, name: ExampleHandName, { preset }: Picture): HTMLCanvasElement {
-  const { paper = 'white', ink = 'black' } = presets[preset].material;
   const { width, height } = drawing;
   const above = Math.round(SWATCHES_SHARE * width);
-  const sheet = document.createElement('canvas');
-  Object.assign(sheet, { width, height: height + above });
-  const context = sheet.getContext('2d', { alpha: false })!;
-  context.fillStyle = String(paper);
-  context.fillRect(0, 0, width, above);
-  drawSwatches(context, exampleHand(name), width, String(ink));
+  const context = swatchSheet(name, preset, width, height + above);
   context.drawImage(drawing, 0, above);
-  return sheet;
+  return context.canvas;
+}
+
+/** @returns the swatches of a hand as the address of a PNG */
+const drawSwatchesOf = ({ swatchesOf, preset, width, height }: SwatchPicture): string =>
+  swatchSheet(swatchesOf, preset, width, height).canvas.toDataURL('image/png');
+
+/** A sheet with the swatches of a hand at its upper edge. */
+function swatchSheet(name: ExampleHandName, preset: PresetName, width: number, height: number) {
+  const { paper = 'white', ink = 'black' } = presets[preset].material;
+  const context = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d', {
+    alpha: false,
+  })!;
+  context.fillStyle = String(paper);
+  context.fillRect(0, 0, width, height);
+  drawSwatches(context, exampleHand(name), width, String(ink));
+  return context;
 }
 
 /** A step of a picture in motion. */
@@ -302,6 +321,7 @@ declare global {
     drawPicture?: typeof drawPicture;
     drawUnder?: typeof drawUnder;
     drawMotion?: typeof drawMotion;
+    drawSwatchesOf?: typeof drawSwatchesOf;
   }
 }
-Object.assign(window, { drawPicture, drawUnder, drawMotion });
+Object.assign(window, { drawPicture, drawUnder, drawMotion, drawSwatchesOf });

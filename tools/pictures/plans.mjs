@@ -26,7 +26,7 @@ const viewAt = (degrees) => [
   Math.cos(((30 + degrees) * Math.PI) / 180),
 ];
 /** Hands, and the width of their strokes on the sheet: a brush is broader than a pen. */
-const HANDS = { finePen: 1.15, brush: 2.3, reedPen: 1.8, scribble: 1.2, ruled: 1.2, stippleFlicks: 1.6 };
+const HANDS = { finePen: 1.15, brush: 2.3, reedPen: 1.8, scribble: 1.2 };
 const FILLS = [
   { light: [1, 1.1, 0.5], strength: 0.3 },
   { light: [0.2, 0.8, 1], strength: 0.15 },
@@ -88,7 +88,7 @@ export const plansOf = (presets, techniques) => ({
     ),
   },
   hands: {
-    columns: 3,
+    columns: 2,
     pictures: Object.entries(HANDS).map(([hand, strokeWidth]) => ({
       ...HAND,
       zoom: 0.95,
@@ -248,6 +248,17 @@ const JUDGED = [
   { subject: 'house', view: [0.75, 0.4, 1], light: [-0.5, 1.5, 0.9], zoom: 0.85, ground: 'shadow' },
   { subject: 'drapery', view: [0.25, 0.42, 1], light: [-0.5, 1.6, 0.8], zoom: 0.85, ground: 'shadow' },
 ];
+
+/**
+ * The sheet of all swatches.
+ *
+ * @param {string[]} hands the names of the example hands
+ * @returns {{ columns: number, pictures: import('./page.js').SwatchPicture[] }}
+ */
+export const swatchPlan = (hands) => ({
+  columns: 3,
+  pictures: hands.map((hand) => ({ swatchesOf: hand, preset: 'pen', width: 620, height: 256 })),
+});
 
 /**
  * The sheets by which looks are judged, one for each preset: `npm run pictures -- looks`.

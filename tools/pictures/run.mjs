@@ -19,7 +19,7 @@ import { drawExamples } from './examples.mjs';
 import { drawFlat } from './flat.mjs';
 import { drawFound } from './found.mjs';
 import { drawGallery } from './gallery.mjs';
-import { lookPlans, movingHero, plansOf, SUBJECT_FILES } from './plans.mjs';
+import { lookPlans, movingHero, plansOf, SUBJECT_FILES, swatchPlan } from './plans.mjs';
 import { readmeLines, THREE_LINES_SIZE } from './readmeLines.mjs';
 import { sheetOf } from './sheetOf.mjs';
 import { drawShow } from './show.mjs';
@@ -43,7 +43,11 @@ const { positionals: wanted, values: options } = parseArgs({
 const server = await createServer({ root, mode: 'test', logLevel: 'error', server: { host: '127.0.0.1', port: 0 } });
 const { presets } = await server.ssrLoadModule('/src/index.ts');
 const { HATCHING_PROPERTIES } = await server.ssrLoadModule('/src/facts.ts');
-const PLANS = plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices);
+const { exampleHandNames } = await server.ssrLoadModule('/src/strokes/hands/exampleHand.ts');
+const PLANS = {
+  ...plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices),
+  swatches: swatchPlan(exampleHandNames),
+};
 const unknown = wanted.find(
   (name) =>
     !(name in PLANS) &&
@@ -116,7 +120,10 @@ async function drawSheet(page, name, { columns, pictures }) {
   for (const picture of pictures) {
     const file = fileOf(picture.subject);
     const content = file ? readFileSync(file).toString('base64') : '';
-    const address = await page.evaluate(([what, from]) => window.drawPicture(what, from), [picture, content]);
+    const address = await page.evaluate(
+      ([what, from]) => ('swatchesOf' in what ? window.drawSwatchesOf(what) : window.drawPicture(what, from)),
+      [picture, content],
+    );
     drawings.push(PNG.sync.read(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64')));
   }
   return sheetOf(drawings, columns);

@@ -18,12 +18,18 @@ const PAUSE = 150;
 
 /** Labels of the example hands. */
 const GIVEN_HANDS: Readonly<Record<ExampleHandName, string>> = {
-  finePen: 'a fine pen',
-  brush: 'a brush',
+  brush: 'a pointed brush',
+  dryBrush: 'a dry brush',
   reedPen: 'a reed pen',
+  finePen: 'a steel pen',
+  quill: 'a quill',
+  ballpoint: 'a ballpoint',
+  feltTip: 'a felt tip',
+  softPencil: 'a soft pencil',
+  crayon: 'a crayon',
+  woodcut: 'a woodcut tool',
   scribble: 'a scribble',
-  ruled: 'a ruler',
-  stippleFlicks: 'flicks of a pen',
+  etchingNeedle: 'an etching needle',
 };
 
 const NONE: OwnHand = { strokes: [], hand: undefined, changed: {}, link: undefined, files: undefined };

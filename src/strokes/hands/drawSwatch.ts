@@ -8,6 +8,12 @@ const STEP = 22;
 const TONES: readonly SwatchTone[] = ['light', 'middle', 'dark'];
 /** Millimetres between the points of a stroke, at most. */
 const SPACING = 0.5;
+/** The same for strokes with grain. */
+const FINE_SPACING = 0.12;
+/** The width of a stroke where the tool skips: nothing that is seen. */
+const LEAST_WIDTH = 0.001;
+/** The scale by which a logistic distribution is nearest to a normal one of deviation 1. */
+const LOGISTIC = 1.702;
 /** Strokes drawn to and fro before the pen is lifted. */
 const ZIGZAG = 9;
 
@@ -55,16 +61,17 @@ function drawLayer(
     pen = undefined;
   };
   for (const [i, { x, y, row }] of placesOf(habits, habits.spacing[swatch], next).entries()) {
-    const line = drawStroke(habits, i, next);
-    const points = line.map(([along, across]) => {
-      const [u, v] = [x + along, y + across];
-      return [middle[0] + u * cosine - v * sine, middle[1] + u * sine + v * cosine] as const;
-    });
-    if (pen && (!habits.isZigzag || pen.row !== row || pen.count >= ZIGZAG)) lift();
-    pen ??= { points: [], widths: [], count: 0, row };
-    pen.points.push(...points.flat());
-    pen.widths.push(...line.map(([, , width]) => width));
-    pen.count++;
+    for (const line of strandsOf(habits, drawStroke(habits, i, next), next)) {
+      const points = line.map(([along, across]) => {
+        const [u, v] = [x + along, y + across];
+        return [middle[0] + u * cosine - v * sine, middle[1] + u * sine + v * cosine] as const;
+      });
+      if (pen && (!habits.isZigzag || pen.row !== row || pen.count >= ZIGZAG)) lift();
+      pen ??= { points: [], widths: [], count: 0, row };
+      pen.points.push(...points.flat());
+      pen.widths.push(...line.map(([, , width]) => width));
+      pen.count++;
+    }
   }
   lift();
   return strokes;
@@ -109,20 +116,24 @@ function placesOf(habits: PenHabits, spacing: number, next: Random): Place[] {
   return places;
 }
 
-/** The points of one stroke along x, with its middle at 0: along, across, width. */
-function drawStroke(habits: PenHabits, index: number, next: Random): [along: number, across: number, width: number][] {
+/** A point of a stroke. */
+type PenPoint = [along: number, across: number, width: number];
+
+/** The points of one stroke along x, with its middle at 0. */
+function drawStroke(habits: PenHabits, index: number, next: Random): PenPoint[] {
   const length = habits.length * Math.max(0.4, 1 + habits.lengthSpread * gaussian(next));
   const turn = (habits.angleSpread * gaussian(next) * Math.PI) / 180;
   const height = length * (habits.curvature + habits.curvatureSpread * gaussian(next));
   const width = habits.width * Math.max(0.4, 1 + 0.7 * habits.pressure * gaussian(next));
   const stray = strayOf(length, habits.wobbleLength, next);
   const swell = strayOf(length, 0.4 * habits.length, next);
-  const count = Math.max(5, Math.ceil(length / SPACING) + 1);
-  const line = Array.from({ length: count }, (_, i): [number, number, number] => {
+  const hooked = habits.hooks ? length * Math.max(0, 1 + 0.4 * gaussian(next)) : 0;
+  const count = Math.max(5, Math.ceil(length / (habits.grain ? FINE_SPACING : SPACING)) + 1);
+  const line = Array.from({ length: count }, (_, i): PenPoint => {
     const place = i / (count - 1);
     const along = (place - 0.5) * length;
-    const across = height * (1 - (2 * place - 1) ** 2) + habits.wobble * stray(place);
-    const pressed = Math.max(0.3, 1 + 0.7 * habits.pressure * swell(place));
+    const across = height * (1 - (2 * place - 1) ** 2) + habits.wobble * stray(place) + hooked * hookAt(habits, place);
+    const pressed = Math.max(0.3, 1 + 0.7 * habits.pressure * swell(place)) * pressedAt(habits, place);
     return [
       along * Math.cos(turn) - across * Math.sin(turn),
       along * Math.sin(turn) + across * Math.cos(turn),
@@ -130,6 +141,57 @@ function drawStroke(habits: PenHabits, index: number, next: Random): [along: num
     ];
   });
   return habits.isZigzag && index % 2 === 1 ? line.reverse() : line;
+}
+
+/** How far a place of a stroke lies aside by the hooks of its ends, in lengths: parabolas that turn to the angle of the hook. */
+function hookAt({ hooks }: PenHabits, place: number): number {
+  if (!hooks) return 0;
+  const aside = (way: number, degrees: number): number =>
+    0.5 * hooks.share * Math.max(0, 1 - way / hooks.share) ** 2 * Math.tan((degrees * Math.PI) / 180);
+  return aside(place, hooks.start) + aside(1 - place, hooks.end);
+}
+
+/** The pressure at a place of a stroke, by cubic interpolation (Catmull and Rom 1974). */
+function pressedAt({ pressed }: PenHabits, place: number): number {
+  if (!pressed) return 1;
+  const last = pressed.length - 1;
+  const at = place * last;
+  const i = Math.min(last - 1, Math.floor(at));
+  const t = at - i;
+  const [before, from, to, after] = [-1, 0, 1, 2].map((k) => pressed[Math.max(0, Math.min(last, i + k))]);
+  const [a, b] = [0.5 * (to - before), 0.5 * (after - from)];
+  return from + t * (a + t * (3 * (to - from) - 2 * a - b + t * (2 * (from - to) + a + b)));
+}
+
+/** The lines that a stroke leaves: itself, or one for each strand, by the grain of the paper and with what was skipped. */
+function strandsOf(habits: PenHabits, line: PenPoint[], next: Random): PenPoint[][] {
+  const { count, breadth } = habits.strands ?? { count: 1, breadth: 0 };
+  return Array.from({ length: count }, (_, strand) => {
+    const aside = count > 1 ? breadth * (strand / (count - 1) - 0.5) + (0.25 * breadth * gaussian(next)) / count : 0;
+    return onPaper(
+      habits,
+      line.map(([along, across, width]) => [along, across + aside, width]),
+      next,
+    );
+  });
+}
+
+/** A line as a rough sheet takes it: its width trembles, and it lacks where the tool skips. */
+function onPaper({ length, grain, skips }: PenHabits, line: PenPoint[], next: Random): PenPoint[] {
+  if (!grain) return line;
+  const rough = strayOf(length, grain.length, next);
+  const touch = skips && strayOf(length, skips.length, next);
+  return line.map(([along, across, width], i) => {
+    const place = i / (line.length - 1);
+    const touched = width * Math.max(0.25, 1 + grain.depth * rough(place));
+    if (!skips || !touch) return [along, across, touched];
+    const missing = Math.max(0, skips.share[0] + place * (skips.share[1] - skips.share[0]));
+    // Below this value lie as many of the deviates, by the logistic distribution.
+    const level = Math.log(missing / (1 - missing)) / LOGISTIC;
+    // A skip begins and ends in a point.
+    const share = Math.max(0, Math.min(1, 3 * (touch(place) - level)));
+    return [along, across, Math.max(LEAST_WIDTH, share * touched)];
+  });
 }
 
 /** The width at a place of a stroke, as a share of its full width. */

@@ -1,5 +1,5 @@
 /**
- * Six example hands, generated from parameters.
+ * Twelve example hands, generated from parameters.
  *
  * @module three-hatching/hands
  */
