@@ -44,17 +44,11 @@ export function* findPaper(image: GreyImage): Generator<number, PaperGrid | unde
     windowOf(histograms, columns, rows, i % columns, Math.floor(i / columns)),
   );
   const classes = cells.map(partIntoClasses);
-  const known = classes.flatMap((found, i) => (found ? [{ ...found, i }] : []));
-  if (known.length === 0) return undefined;
-  const paper = new Float32Array(columns * rows);
-  const depth = new Float32Array(columns * rows);
-  cells.forEach((values, i) => {
-    const found = classes[i] ?? nearby(known, i, columns);
-    const mean = meanOf(values, 0, 255);
-    const isPaper = classes[i] === undefined && mean > 0.5 * (found.paper + found.ink);
-    paper[i] = Math.max(1, isPaper ? mean : found.paper);
-    depth[i] = 1 - found.ink / Math.max(1, found.paper);
-  });
+  if (classes.every((found) => !found)) return undefined;
+  const means = cells.map((values) => meanOf(values, 0, 255));
+  const all = spread(classes, means, columns);
+  const paper = Float32Array.from(all, (found) => Math.max(1, found.paper));
+  const depth = Float32Array.from(all, (found) => 1 - found.ink / Math.max(1, found.paper));
   return { cell, columns, rows, paper: smoothed(paper, columns, rows), depth: smoothed(depth, columns, rows) };
 }
 
@@ -150,20 +144,41 @@ function meanOf(histogram: Uint32Array, from: number, to: number): number {
   return sum / count;
 }
 
-/** Paper and ink of the cells nearby, weighted by the square of their distance. */
-function nearby(known: readonly (Classes & { i: number })[], cell: number, columns: number): Classes {
-  let weights = 0;
-  let paper = 0;
-  let ink = 0;
-  for (const other of known) {
-    const across = (other.i % columns) - (cell % columns);
-    const down = Math.floor(other.i / columns) - Math.floor(cell / columns);
-    const weight = 1 / (across * across + down * down) ** 2;
-    weights += weight;
-    paper += weight * other.paper;
-    ink += weight * other.ink;
+/**
+ * Gives the cells that hold only paper or only ink the other from those beside them, from cell to cell, so that paper which darkens slowly
+ * stays paper.
+ *
+ * @param means the mean brightness of each cell
+ */
+function spread(classes: readonly (Classes | undefined)[], means: readonly number[], columns: number): Classes[] {
+  const all = [...classes];
+  const rows = all.length / columns;
+  for (;;) {
+    const ring = all.flatMap((found, i): { i: number; found: Classes }[] => {
+      const beside = found ? [] : besideOf(all, i, columns, rows);
+      if (beside.length === 0) return [];
+      const paper = beside.reduce((sum, one) => sum + one.paper, 0) / beside.length;
+      const ink = beside.reduce((sum, one) => sum + one.ink, 0) / beside.length;
+      const isPaper = means[i] > 0.5 * (paper + ink);
+      const scale = isPaper ? means[i] / Math.max(1, paper) : 1;
+      return [{ i, found: { paper: scale * paper, ink: scale * ink } }];
+    });
+    if (ring.length === 0) return all as Classes[];
+    for (const { i, found } of ring) all[i] = found;
   }
-  return { paper: paper / weights, ink: ink / weights };
+}
+
+/** What is known of the eight cells around one. */
+function besideOf(all: readonly (Classes | undefined)[], i: number, columns: number, rows: number): Classes[] {
+  const [column, row] = [i % columns, Math.floor(i / columns)];
+  const beside: Classes[] = [];
+  for (let y = Math.max(0, row - 1); y <= Math.min(rows - 1, row + 1); y++) {
+    for (let x = Math.max(0, column - 1); x <= Math.min(columns - 1, column + 1); x++) {
+      const found = all[y * columns + x];
+      if (found) beside.push(found);
+    }
+  }
+  return beside;
 }
 
 function smoothed(values: Float32Array, columns: number, rows: number): Float32Array {

@@ -1,4 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
+import { exampleHand } from '../../../../src/strokes/hands/exampleHand.js';
 import { random } from '../../../../src/strokes/random.js';
 import type { ScannedImage } from '../../../../src/strokes/strokeTracing/ScannedImage.js';
 import { traceStrokesSteps } from '../../../../src/strokes/strokeTracing/traceStrokesSteps.js';
@@ -132,6 +134,42 @@ test('strokes of one layer all run one way, to the right', () => {
 });
 
 const plain = photograph(inkOf(APART), { width: 400, height: 280 });
+
+describe('a hand photographed in light that falls off to a dark corner, under the shadow of an arm', () => {
+  const MARGIN = 2.5;
+  const SCALE = 30;
+  const shadowed = (x: number, y: number): number => {
+    const inLight = 1 / (1 + Math.exp(40 * (y - 0.55 - 0.25 * x)));
+    return (225 - 90 * x - 50 * ((x - 0.5) ** 2 + (y - 0.5) ** 2)) * (0.66 + 0.34 * inLight);
+  };
+  for (const name of ['finePen', 'woodcut', 'feltTip'] as const) {
+    test(`of a ${name} gives its strokes and no others, and its numbers`, () => {
+      const strokes = exampleHand(name, { seed: 9 }).strokes.filter(({ swatch }) => swatch === 'middle');
+      const all = strokes.flatMap(({ points }) => points);
+      const [xs, ys] = [0, 1].map((axis) => all.filter((_, i) => i % 2 === axis));
+      const [left, top] = [Math.min(...xs) - MARGIN, Math.min(...ys) - MARGIN];
+      const ink = strokes.map(
+        ({ points, widths }): InkStroke => ({
+          points: widths.map((_, i) => [SCALE * (points[2 * i] - left), SCALE * (points[2 * i + 1] - top)]),
+          widths: widths.map((width) => SCALE * width),
+        }),
+      );
+      const size = (values: number[], from: number): number =>
+        Math.round(SCALE * (Math.max(...values) + MARGIN - from));
+      const picture = photograph(ink, {
+        ...{ width: size(xs, left), height: size(ys, top), light: shadowed, depth: 0.7, blur: 1.3, noise: 9 },
+      });
+      const traced = trace(picture, { millimetresPerPixel: 1 / SCALE, swatch: 'middle' });
+      const { numbers } = learnHand(traced);
+      const drawn = learnHand(strokes).numbers;
+      // Strokes that touch end to end are one.
+      expect(traced.length).toBeLessThanOrEqual(strokes.length);
+      expect(traced.length).toBeGreaterThan(0.85 * strokes.length);
+      for (const number of ['length', 'width', 'spacing', 'taperEnd', 'angleSpread'] as const)
+        expect(Math.abs(numbers[number] - drawn[number]), number).toBeLessThanOrEqual(0.2 * drawn[number]);
+    });
+  }
+});
 
 test('a picture is 60 mm wide by default', () => {
   const [pixels, millimetres] = [trace(plain), trace(plain, { swatch: 'dark' })].map((all) => all.map(measure));
