@@ -55,11 +55,11 @@ export class SurfaceCamera {
     this.lit().view();
   }
 
-  /** Under one directional light, as in Suarez et al. */
-  lit(): this {
+  /** Under one directional light, as in Suarez et al., that is turned by `lightDegrees` about the vertical. */
+  lit(lightDegrees = 0): this {
     this.sun.intensity = Math.PI;
     this.fill.intensity = 0;
-    return this.lightFrom(0);
+    return this.lightFrom(lightDegrees);
   }
 
   /** The same tone everywhere. Strokes follow a light that is turned by `lightDegrees` about the vertical. */
@@ -77,6 +77,11 @@ export class SurfaceCamera {
   /** The standard view moved towards a point of the model, to 1 / `times` of the distance. */
   dolly(target: Vector3, times: number): this {
     return this.placeCamera(new Vector3().lerpVectors(target, EYE, 1 / times), target, 1);
+  }
+
+  /** The standard view from a place that is turned about the vertical. */
+  orbit(degrees: number): this {
+    return this.placeCamera(EYE.clone().applyAxisAngle(UP, (degrees * Math.PI) / 180), new Vector3(), 1);
   }
 
   shoot(): SurfaceImage {

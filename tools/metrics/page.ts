@@ -10,6 +10,7 @@ import { counts, followsForm, needsMap } from 'three-hatching/facts';
 import { HATCHING_TECHNIQUES } from '../../src/look/hatchingProperties.js';
 import { plainLook } from '../plainLook.js';
 import { type FlatTones, measureFlatTones } from './flatTones.js';
+import { measureMotion, measureNumbers, measureTones, measureWholeness, strokeKind } from './handStrokes.js';
 import { type IntersectionMeasure, measureIntersections } from './intersections.js';
 import { loadModel, type ModelName } from './loadModel.js';
 import { measureLines } from './measureLines.js';
@@ -77,6 +78,11 @@ export interface ModelMetrics {
   techniques: Record<string, TechniqueMetrics>;
 }
 
+/** A measure with the renderer of the page. */
+type OnPage<Measure> = Measure extends (renderer: WebGLRenderer, ...rest: infer Rest) => Promise<infer Result>
+  ? (...rest: Rest) => Promise<Result>
+  : never;
+
 declare global {
   interface Window {
     measureModel(model: ModelName, plan: Plan, text?: string): Promise<ModelMetrics>;
@@ -86,6 +92,14 @@ declare global {
     measureScene(source: Parameters<typeof measureScene>[1], planned: number): Promise<SceneValues>;
     measurePrintedStrokes(): Promise<PrintedStrokes[]>;
     measureLines: typeof measureLines;
+    /** Measures of the strokes of hands. */
+    handStrokes: {
+      kind: ReturnType<typeof strokeKind>;
+      wholeness: OnPage<typeof measureWholeness>;
+      tones: OnPage<typeof measureTones>;
+      motion: OnPage<typeof measureMotion>;
+      numbers: OnPage<typeof measureNumbers>;
+    };
     /** Measures the named looks; all by default. */
     measureWalls(wanted: readonly string[]): Promise<WallMeasure[]>;
     measureIntersections(): IntersectionMeasure[];
@@ -140,6 +154,21 @@ window.measurePrintedStrokes = async () => {
   return measurePrintedStrokes(renderer);
 };
 
+/** Loads the parts of the material first. */
+const onPage =
+  <Rest extends unknown[], Result>(measure: (renderer: WebGLRenderer, ...rest: Rest) => Promise<Result>) =>
+  async (...rest: Rest): Promise<Result> => {
+    await HatchingMaterial.preload();
+    return measure(renderer, ...rest);
+  };
+
+window.handStrokes = {
+  kind: strokeKind(),
+  wholeness: onPage(measureWholeness),
+  tones: onPage(measureTones),
+  motion: onPage(measureMotion),
+  numbers: onPage(measureNumbers),
+};
 window.measureIntersections = measureIntersections;
 window.measureWalls = async (wanted) => {
   await HatchingMaterial.preload();

@@ -2,6 +2,7 @@
  * `npm run metrics`: measures the strokes of every technique on every model, writes tests/output/metrics.json, docs/research/metrics.md and
  * docs/research/metrics.svg, and fails if a technique misses a figure that is required of it. `npm run metrics -- bunny cube` measures some models
  * and writes tests/output/metrics.json alone; `npm run metrics -- values` so measures shares of paper, half tone and dark, and `strokes` printed strokes.
+ * `npm run metrics -- strokes` also measures the strokes of hands, and writes their part of docs/research/metrics.md anew; `strokes brush bunny whole` some.
  * `npm run metrics -- values car Fox` prints how scenes of many parts are told apart, with values as planned and as measured, and draws them into
  * tests/output/values; without names those of all scenes after the shares.
  * `npm run metrics -- intersections` finds the lines where parts meet in some scenes, and says how long it takes.
@@ -24,6 +25,7 @@ import { printOrientation } from './orientation.mjs';
 import { isKept, requirements } from './requirements.mjs';
 import { describeScenes, missedScenes } from './sceneWindows.mjs';
 import { printSides } from './sides.mjs';
+import { measureStrokes, missedStrokes, withStrokes } from './strokes.mjs';
 import { missedValues } from './valueWindows.mjs';
 import { measureAllViews } from './views.mjs';
 
@@ -67,13 +69,24 @@ const plans = {
 
 const wanted = process.argv.slice(2);
 const onlyLines = wanted[0] === 'lines';
+const isOfStrokes = wanted.length === 0 || wanted[0] === 'strokes';
+const someStrokes = isOfStrokes && wanted.length > 1;
 const onlyWalls = wanted[0] === 'walls';
 const onlyScenes = wanted[0] === 'values' && wanted.length > 1;
 const onlyOrientation = wanted[0] === 'orientation';
 const onlyIntersections = wanted[0] === 'intersections';
 const onlySides = wanted[0] === 'sides';
 const onlyViews = wanted[0] === 'views';
-const ofOthers = [onlyLines, onlyWalls, onlyScenes, onlyOrientation, onlyIntersections, onlySides, onlyViews];
+const ofOthers = [
+  someStrokes,
+  onlyLines,
+  onlyWalls,
+  onlyScenes,
+  onlyOrientation,
+  onlyIntersections,
+  onlySides,
+  onlyViews,
+];
 const isOfModels = !ofOthers.includes(true);
 for (const name of isOfModels ? wanted : []) {
   if (!(name in plans) && !['values', 'strokes'].includes(name))
@@ -114,6 +127,8 @@ let flatTones;
 let printedStrokes;
 /** Differences of vector drawings from the canvas; undefined if they are not measured. */
 let lines;
+/** Measures of the strokes of hands; undefined if they are not measured. */
+let strokes;
 /** Evenness of walls; undefined if it is not measured. */
 let walls;
 /** Shares of values by model; undefined where only strokes are measured. */
@@ -143,7 +158,7 @@ try {
   if (wanted.length === 0 || (wanted.includes('values') && !onlyScenes)) values = await measureAllValues(page);
   if (wanted.length === 0 || wanted[0] === 'values') scenes = await measureScenes(page, wanted.slice(1));
   if (wanted.length === 0) flatTones = await page.evaluate(() => window.measureFlatTones());
-  if (wanted.length === 0 || wanted.includes('strokes'))
+  if (wanted.length === 0 || (wanted.includes('strokes') && !someStrokes))
     printedStrokes = await page.evaluate(() => window.measurePrintedStrokes());
   if (wanted.length === 0 || onlyWalls)
     walls = await page.evaluate((looks) => window.measureWalls(looks), wanted.slice(1));
@@ -156,6 +171,7 @@ try {
       );
     }
   }
+  if (isOfStrokes) strokes = await measureStrokes(page, wanted.slice(1));
   if (wanted.length === 0 || onlyLines) lines = await measureAllLines(page, wanted.slice(1));
 } finally {
   await browser.close();
@@ -163,17 +179,21 @@ try {
 }
 
 const { renderer } = await describeRenderer();
-const report = { renderer, models: measured, flatTones, printedStrokes, walls, values, scenes, lines };
+const report = { renderer, models: measured, flatTones, printedStrokes, strokes, walls, values, scenes, lines };
 mkdirSync(join(root, 'tests/output'), { recursive: true });
 writeFileSync(join(root, 'tests/output/metrics.json'), `${JSON.stringify(report, null, 2)}\n`);
 if (wanted.length === 0) {
-  writeFileSync(join(root, 'docs/research/metrics.md'), withLines(describeMetrics(report), lines));
+  writeFileSync(
+    join(root, 'docs/research/metrics.md'),
+    withStrokes(withLines(describeMetrics(report), lines), strokes),
+  );
   writeFileSync(join(root, 'docs/research/metrics.svg'), drawMetrics(measured));
 }
 
-if (onlyLines && wanted.length === 1) {
+if ((onlyLines || isOfStrokes) && wanted.length === 1) {
   const file = join(root, 'docs/research/metrics.md');
-  writeFileSync(file, withLines(readFileSync(file, 'utf8'), lines));
+  const text = readFileSync(file, 'utf8');
+  writeFileSync(file, onlyLines ? withLines(text, lines) : withStrokes(text, strokes));
 }
 
 for (const { look, unevenness, uneven, toneError, off } of walls ?? []) {
@@ -181,6 +201,11 @@ for (const { look, unevenness, uneven, toneError, off } of walls ?? []) {
   console.log(
     `${look}: uneven by ${unevenness.toFixed(4)} (${view(uneven)}), tone off by ${toneError.toFixed(4)} (${view(off)})`,
   );
+}
+if (strokes) {
+  const missed = missedStrokes(strokes);
+  for (const line of missed) console.log(`MISSED  ${line}`);
+  if (missed.length > 0) process.exitCode = 1;
 }
 if (lines) {
   const missed = missedLines(lines);
