@@ -4,7 +4,7 @@ import type { FileChangeKind } from '../viewer/files/common/fileChanges.js';
 import { readOptions, UsageError } from './readOptions.js';
 
 /** The changes to a file that `--as-written` leaves out. */
-const AS_WRITTEN = ['orientation', 'up', 'hidden'] as const satisfies readonly FileChangeKind[];
+const AS_WRITTEN = ['orientation', 'up', 'hidden', 'ceiling'] as const satisfies readonly FileChangeKind[];
 type AsWritten = (typeof AS_WRITTEN)[number];
 
 /** A direction in degrees: `azimuth` around the up axis, from the viewer's side to the right, and `elevation` above the horizon. */
@@ -221,8 +221,8 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --hide <name>            leaves out a part of the model; may be given several times, and * stands for any letters
   --only <name>            draws this part alone; as --hide
   --variant <name>         a variant of the materials of a glTF file; its number will do
-  --as-written <kinds>     leaves the model as its file says: orientation, up or hidden, or several with commas
-                           (default: triangles that face inward are turned, models stand, hidden parts are left out)
+  --as-written <kinds>     leaves the model as its file says: orientation, up, hidden or ceiling, or several with commas
+                           (default: triangles that face inward are turned, models stand, hidden parts and ceilings are left out)
   --both-sides             draws both sides of surfaces, also where a glTF file has one
   --clip <name>            poses the model by this clip; its number will do
   --format <name>          the format of a model that does not tell it: stl, obj, …

@@ -7,6 +7,7 @@ const LEFT: Readonly<Record<Exclude<FileChangeKind, 'sides'>, string>> = {
   orientation: 'its faces point where the file says',
   up: 'it lies as in the file',
   hidden: 'parts that are hidden in the file are shown',
+  ceiling: 'its rooms are closed by their ceiling',
 };
 
 /** What was done to the shown file, and what is switched from the usual. */

@@ -24,6 +24,7 @@ import { cleanMesh } from './mesh/cleanMesh.js';
 import { dropDuplicates } from './mesh/dropDuplicates.js';
 import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
+import { openCeiling } from './mesh/openCeiling.js';
 import { orientMesh } from './mesh/orientMesh.js';
 import { type NotedMesh, type PlainMesh, thinNote } from './mesh/PlainMesh.js';
 import { hidesBacks, plainNormals } from './mesh/plainNormals.js';
@@ -183,9 +184,10 @@ async function readMain(
   const merged = 'isObject3D' in content ? mergeScene(content, wanted, undefined, parsed.notes) : content;
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh: whole, broken } = cleanMesh(distinct);
-  const { mesh, turned } = isTurned ? orientMesh(whole) : { mesh: whole, turned: 0 };
+  const { mesh: oriented, turned } = isTurned ? orientMesh(whole) : { mesh: whole, turned: 0 };
+  const stands = usual && findUpAxis(oriented.positions, oriented.indices, usual);
+  const { mesh, isOpened } = withoutCeiling(oriented, stands ?? upAxis, switched);
   const { centre, radius } = fitModel(mesh);
-  const stands = usual && findUpAxis(mesh.positions, mesh.indices, usual);
   const normals = plainNormals(mesh);
   const { pictures, clear, notes, lostPictures, ...lacks } = await readMeshPictures(
     wanted,
@@ -220,6 +222,7 @@ async function readMain(
       ...ofReader,
       ...turnedChange(turned),
       ...sidesChange(switched.includes('sides') && format.isSideCertain === true),
+      ...ceilingChange(isOpened),
     ],
   };
 }
@@ -302,6 +305,19 @@ const turnedChange = (triangles: number): FileChange[] =>
 
 const sidesChange = (hasBothSides: boolean): FileChange[] =>
   hasBothSides ? [{ kind: 'sides', sentence: 'surfaces are drawn from both sides, also one-sided ones' }] : [];
+
+/** Opens closed rooms, unless that is switched off. */
+function withoutCeiling(
+  mesh: PlainMesh,
+  up: UpAxis,
+  switched: readonly FileChangeKind[],
+): { mesh: PlainMesh; isOpened: boolean } {
+  const open = switched.includes('ceiling') ? undefined : openCeiling(mesh, up);
+  return { mesh: open ?? mesh, isOpened: open !== undefined };
+}
+
+const ceilingChange = (isOpened: boolean): FileChange[] =>
+  isOpened ? [{ kind: 'ceiling', sentence: 'its rooms are seen from above, without their ceiling' }] : [];
 
 /** The usual orientation of a format; undefined where files state it. */
 const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | undefined =>

@@ -3,6 +3,7 @@ import { evenPoints } from './evenPoints.js';
 import { frontEvidence, lengthAlong, type MeasuredView } from './frontEvidence.js';
 import { measureView, type ViewMeasures } from './measureView.js';
 import { mirrorPlanes } from './mirrorPlanes.js';
+import { isWalled, planOf } from './planOf.js';
 import { createSeenMap, drawSeenMap } from './seenMap.js';
 import { type ViewSurface, type ViewTriangles, viewSurface } from './viewSurface.js';
 
@@ -54,7 +55,7 @@ const CONVENTION = 0.3;
 /** The weight of an elevation, and the deviation from the best one that costs as much, in degrees. */
 const ABOVE = { weight: 1, tolerance: 15 };
 /** The best elevations by kind of surface, in degrees. */
-const BEST_ELEVATION = { tall: 14, usual: 20, low: 30, terrain: 38, room: 38 };
+const BEST_ELEVATION = { tall: 14, usual: 20, low: 30, terrain: 38, room: 38, walled: 50 };
 
 /** Finds the views that show a surface best: the best one first, the others from other sides. Yields its progress in [0, 1]. */
 export function* chooseViews(triangles: ViewTriangles, up: UpAxis): Generator<number, ChosenView[], void> {
@@ -148,6 +149,7 @@ const logRatio = (cover: number, widest: number): number => Math.log((cover + 1e
 
 function bestElevation(surface: ViewSurface, views: readonly MeasuredView[]): number {
   if (isRoom(views)) return BEST_ELEVATION.room;
+  if (isWalled(planOf(surface))) return BEST_ELEVATION.walled;
   if (isTerrain(surface)) return BEST_ELEVATION.terrain;
   const height = surface.halfHeight / surface.halfWidth;
   if (height > 1) return BEST_ELEVATION.tall;

@@ -48,7 +48,7 @@ describe('the command line of draw', () => {
       bothSides: true,
     });
     expect(refusal('--as-written', 'up,sides', ...OUT)).toBe(
-      '--as-written is sides, but must be orientation, up or hidden.',
+      '--as-written is sides, but must be orientation, up, hidden or ceiling.',
     );
   });
 

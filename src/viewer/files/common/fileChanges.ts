@@ -1,7 +1,7 @@
 import { counted } from './ModelError.js';
 
 /** The kinds of changes that are made to a file when it is read, in the order in which they are listed. */
-export const FILE_CHANGE_KINDS = ['orientation', 'sides', 'up', 'hidden'] as const;
+export const FILE_CHANGE_KINDS = ['orientation', 'sides', 'up', 'hidden', 'ceiling'] as const;
 
 /**
  * A kind of change that is made to a file when it is read. Each has a switch: on request, `sides` is done, and any of the others is not.
@@ -12,6 +12,7 @@ export const FILE_CHANGE_KINDS = ['orientation', 'sides', 'up', 'hidden'] as con
  * | `sides` | draws both sides of surfaces, also where a glTF file has one | not done |
  * | `up` | stands the model up, because its format or its shape suggests so | done |
  * | `hidden` | leaves out parts that are hidden in the file | done |
+ * | `ceiling` | leaves out the ceiling of closed rooms | done |
  */
 export type FileChangeKind = (typeof FILE_CHANGE_KINDS)[number];
 

@@ -54,6 +54,16 @@ export function triangleCount(mesh: PlainMesh): number {
   return Math.floor((mesh.indices?.length ?? mesh.positions.length / 3) / 3);
 }
 
+/** Whether the back of each triangle is hidden, as far as the file says so; null if it is of none. */
+export function oneSided(mesh: PlainMesh): Uint8Array | null {
+  const { isOneSided, ranges = [{ start: 0, count: 3 * triangleCount(mesh), isOneSided }] } = mesh;
+  const hidden = ranges.filter((range) => range.isOneSided);
+  if (hidden.length === 0) return null;
+  const sides = new Uint8Array(triangleCount(mesh));
+  for (const { start, count } of hidden) sides.fill(1, start / 3, (start + count) / 3);
+  return sides;
+}
+
 /** The buffers to transfer with a mesh. */
 export function meshBuffers(mesh: PlainMesh): ArrayBuffer[] {
   const arrays = [mesh.positions, mesh.normals, mesh.colors, mesh.indices, mesh.uvs, mesh.parts?.ofVertices];

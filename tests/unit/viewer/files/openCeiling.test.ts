@@ -1,0 +1,125 @@
+import { describe, expect, test } from 'vitest';
+import type { FileChangeKind } from '../../../../src/viewer/files/common/fileChanges.js';
+import { boundsOf } from '../../../../src/viewer/files/mesh/PlainMesh.js';
+import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
+import { file, triangles } from '../../../../tools/modelFiles/modelWriters.js';
+
+type Point = readonly [x: number, y: number, z: number];
+type Faces = readonly (readonly Point[])[];
+
+/** The six sides of a box between two corners, seen from outside. */
+function box([a, b, c]: Point, [d, e, f]: Point): Faces {
+  const quads = [
+    'abc aec dec dbc',
+    'abf dbf def aef',
+    'abc abf aef aec',
+    'dbc dec def dbf',
+    'abc dbc dbf abf',
+    'aec aef def dec',
+  ];
+  const values: Record<string, number> = { a, b, c, d, e, f };
+  return quads.map((quad) => quad.split(' ').map((at) => [...at].map((key) => values[key]) as unknown as Point));
+}
+
+/** An OBJ file with an object for each list of faces. */
+function obj(objects: Record<string, Faces>, place: (point: Point) => Point = (point) => point): string {
+  const lines: string[] = [];
+  let count = 0;
+  for (const [name, faces] of Object.entries(objects)) {
+    lines.push(`o ${name}`);
+    for (const face of faces) {
+      for (const point of face) lines.push(`v ${place(point).join(' ')}`);
+      lines.push(`f ${face.map(() => ++count).join(' ')}`);
+    }
+  }
+  return lines.join('\n');
+}
+
+const FLOOR = box([0, 0, 0], [10, 0.2, 8]);
+const CEILING = box([0, 2.8, 0], [10, 3, 8]);
+/** Walls as thick as a brick is long, with a door and a window. */
+const WALLS = [
+  ...box([0, 0.2, 0], [10, 2.8, 0.25]),
+  ...box([0, 0.2, 7.75], [4, 2.8, 8]),
+  ...box([5, 0.2, 7.75], [7, 2.8, 8]),
+  ...box([7, 0.2, 7.75], [9, 1.1, 8]),
+  ...box([9, 0.2, 7.75], [10, 2.8, 8]),
+  ...box([0, 0.2, 0.25], [0.25, 2.8, 7.75]),
+  ...box([9.75, 0.2, 0.25], [10, 2.8, 7.75]),
+  ...box([5, 0.2, 0.25], [5.2, 2.8, 5]),
+];
+const BED = box([1, 0.2, 1], [3, 0.8, 3]);
+const TABLE = box([6, 0.2, 5], [8, 1, 6.5]);
+const FLAT = { floor: FLOOR, walls: WALLS, bed: BED, table: TABLE };
+const CLOSED = { ...FLAT, ceiling: CEILING };
+
+async function read(content: string, ...switched: FileChangeKind[]): Promise<ReadMesh> {
+  const model = await readModel([file('flat.obj', content)], () => {}, undefined, { switched });
+  if (model.kind !== 'mesh') throw new Error('flat.obj is not a mesh');
+  return model;
+}
+
+const sheet = (...points: Point[]): Faces => [points];
+/** The sides of a box as sheets without thickness. */
+const room = (high: number): Faces => box([0, 0, 0], [9, high, 7]);
+
+describe('the ceiling of closed rooms', () => {
+  test('is left out, and its part with it; walls, floor and furniture stay', async () => {
+    const { mesh, changes } = await read(obj(CLOSED));
+    expect(changes).toEqual([{ kind: 'ceiling', sentence: 'its rooms are seen from above, without their ceiling' }]);
+    expect(mesh.parts?.names).toEqual(['floor', 'walls', 'bed', 'table']);
+    expect(triangles({ mesh } as ReadMesh)).toBe(triangles(await read(obj(FLAT))));
+  });
+
+  test('stays on request', async () => {
+    const whole = await read(obj(CLOSED), 'ceiling');
+    expect([whole.changes, triangles(whole)]).toEqual([[], 12 * 12]);
+  });
+
+  test('is found in models that lie, hang upside down or are far away', async () => {
+    for (const place of [
+      ([x, y, z]: Point): Point => [x, -z, y],
+      ([x, y, z]: Point): Point => [1000 * x + 4e6, 1000 * y, 1000 * z - 5e6],
+    ]) {
+      const { changes } = await read(obj(CLOSED, place));
+      expect(changes.map(({ kind }) => kind)).toContain('ceiling');
+    }
+  });
+
+  test('is left out of sheets without thickness, whatever side they face', async () => {
+    for (const sides of [room(2.7), room(2.7).map((face) => face.toReversed())]) {
+      const { mesh, changes } = await read(obj({ room: sides, bed: BED, table: TABLE }), 'orientation');
+      expect(changes.map(({ kind }) => kind)).toEqual(['ceiling']);
+      const { low, high } = boundsOf(mesh.positions);
+      expect((high[1] - low[1]) / (high[0] - low[0])).toBeCloseTo(2.7 / 9, 2);
+    }
+  });
+
+  test.each<[string, Record<string, Faces>]>([
+    ['an open hall', { floor: FLOOR, ceiling: CEILING, bed: BED, post: box([0, 0.2, 0], [0.3, 2.8, 0.3]) }],
+    ['a table', { top: CEILING, legs: [...box([0, 0, 0], [0.3, 2.8, 0.3]), ...box([9.7, 0, 7.7], [10, 2.8, 8])] }],
+    ['a hollow box', { outside: room(3), inside: box([0.3, 0.3, 0.3], [8.7, 2.7, 6.7]) }],
+    ['a solid box', { box: room(3) }],
+    ['a plate', { plate: CEILING }],
+    [
+      'a building of two floors',
+      { floor: FLOOR, walls: WALLS, bed: BED, ...{ second: CEILING, roof: box([0, 6, 0], [10, 6.2, 8]) } },
+    ],
+    [
+      'a house with a pitched roof',
+      {
+        ...FLAT,
+        roof: [
+          ...sheet([0, 2.8, 0], [0, 2.8, 8], [5, 6, 8], [5, 6, 0]),
+          ...sheet([10, 2.8, 8], [10, 2.8, 0], [5, 6, 0], [5, 6, 8]),
+        ],
+      },
+    ],
+    ['a room without one', FLAT],
+  ])('%s is left as it is', async (_, objects) => {
+    const { mesh, changes } = await read(obj(objects), 'orientation');
+    expect(changes.map(({ kind }) => kind)).toEqual([]);
+    const faces = Object.values(objects).flat();
+    expect(triangles({ mesh } as ReadMesh)).toBe(faces.reduce((sum, face) => sum + face.length - 2, 0));
+  });
+});
