@@ -280,6 +280,9 @@ interface Seen {
   colors: WeightedColors;
 }
 
+/** How much a surface that faces the ground counts in the plan of values, beside nearly 1 for one that faces upwards. */
+const FROM_BELOW = 0.05;
+
 const color = /* @__PURE__ */ new Float64Array(3);
 
 /** Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. */
@@ -310,8 +313,8 @@ function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, o
     const least = sides === 1 ? occlusion[2 * i + first] : Math.min(occlusion[2 * i], occlusion[2 * i + 1]);
     const occluded = relativeOcclusion(least, openOcclusion);
     for (let side = first; side < first + sides; side++) {
-      // What lies in a hollow is hardly seen.
-      seen.colors.add(color, (area * (1 - occluded)) / sides);
+      // What lies in a hollow or faces the ground is hardly seen, and gets little light.
+      seen.colors.add(color, (area * (1 - occluded) * (FROM_BELOW + (0.5 + 0.5 * normal.y) ** 2)) / sides);
       const open = openToLamps(occluded, material.occlusion);
       const openToSky = 1 - material.occlusion * occluded;
       lights.arriveAt(position, normal, isHalfLambert, light);

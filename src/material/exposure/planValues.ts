@@ -69,12 +69,18 @@ const keyOf = (rgb: ArrayLike<number>): number => (binOf(rgb[0]) * BINS + binOf(
 interface Value {
   lightness: number;
   weight: number;
+  /** The share of what is lighter. */
+  before: number;
   darkness: number;
 }
 
-/** The share of the surface, from the lightest colours on, that is left blank, and the darkness of the darkest colour. */
-const BLANK = 0.45;
+/** The share of the surface, the lightest colours, that is left to the paper, and the darkness of the darkest colour. */
+const PAPER = 0.55;
 const DARKEST = 0.7;
+/** The share of the surface from which on the lightest colours alone make the lights of a picture. */
+const LIGHTS = 0.2;
+/** How much of a value's own surface counts in its rank. */
+const OWN = 0.25;
 /** The step by which neighbouring values differ, and the steepest rise of the darkness that may be needed for it. */
 const STEP = 0.15;
 const STEEPEST = 1.5;
@@ -88,15 +94,15 @@ const MASS = 0.1;
 const SPOT = 0.02;
 
 /**
- * Plans the values of a scene: which colours are left blank, which are half tones and which are dark. The darkness of a colour follows
- * from its rank, light before dark, by the surface that has it; so the picture has its lights, whether the scene is light or dark all
- * over. Neighbouring values differ by a step, as far as their lightness does. Where colours differ in hue alone, red, green and blue
- * count as behind a filter before the lens, so that they become different greys.
+ * Plans the values of a scene: which colours are left to the paper, which are half tones and which are dark. The darkness of a colour
+ * follows from its rank, light before dark, by the surface that has it; so the picture has its lights, whether the scene is light or dark
+ * all over. Neighbouring values differ by a step, as far as their lightness does; those that are left to the paper by one step together.
+ * Where colours differ in hue alone, red, green and blue count as behind a filter before the lens, so that they become different greys.
  */
 export function planValues(colors: readonly Color[]): ValuePlan {
   const filter = filterFor(colors);
   const values = valuesOf(colors, filter);
-  if (values.length === 0) values.push({ lightness: 1, weight: 1, darkness: 0 });
+  if (values.length === 0) values.push({ lightness: 1, weight: 1, before: 0, darkness: 0 });
   rank(values);
   separate(values);
   return { filter, ...curveThrough(values) };
@@ -105,10 +111,10 @@ export function planValues(colors: readonly Color[]): ValuePlan {
 /** The values of colours behind a filter, from light to dark. */
 function valuesOf(colors: readonly Color[], filter: ValuePlan['filter']): Value[] {
   const seen = colors
-    .map((color) => ({ lightness: behind(filter, color), weight: color.weight, darkness: 0 }))
+    .map((color) => ({ lightness: behind(filter, color), weight: color.weight, before: 0, darkness: 0 }))
     .sort((a, b) => b.lightness - a.lightness);
   const values: Value[] = [];
-  let lightest = 0;
+  let [lightest, before] = [0, 0];
   for (const one of seen) {
     const last = values.at(-1);
     if (last && lightest - one.lightness < ONE_VALUE) {
@@ -117,8 +123,9 @@ function valuesOf(colors: readonly Color[], filter: ValuePlan['filter']): Value[
       last.weight = weight;
     } else {
       lightest = one.lightness;
-      values.push(one);
+      values.push({ ...one, before });
     }
+    before += one.weight;
   }
   return values;
 }
@@ -126,11 +133,9 @@ function valuesOf(colors: readonly Color[], filter: ValuePlan['filter']): Value[
 /** Sets the darkness of values by their rank. */
 function rank(values: readonly Value[]): void {
   const white = lightestOf(values);
-  let before = 0;
   for (const value of values) {
-    const share = before + value.weight / 2;
-    before += value.weight;
-    const ranked = DARKEST * clamp01((share - BLANK) / (1 - BLANK));
+    const share = value.before + OWN * value.weight;
+    const ranked = DARKEST * clamp01((share - PAPER) / (1 - PAPER));
     // A faint difference does not become a coarse one.
     value.darkness = Math.min(ranked, STEEPEST * Math.max(white - value.lightness, 0));
     value.darkness = Math.max(value.darkness, LEAST_BLACK * clamp01(1 - value.lightness / NEARLY_BLACK));
@@ -146,9 +151,12 @@ function separate(values: readonly Value[]): void {
   const masses = values.filter(({ weight }) => weight >= MASS);
   const even = DARKEST / Math.max(masses.length - 1, 1);
   const step = even >= STEP ? STEP : even / 2;
+  const onPaper = masses.filter(({ before }) => before < PAPER).length;
   for (let i = 1; i < masses.length; i++) {
     const [lighter, value] = [masses[i - 1], masses[i]];
-    const wanted = Math.min(step, STEEPEST * (lighter.lightness - value.lightness));
+    // What is lighter leaves too little paper if it is a small share of the whole.
+    const most = i < onPaper ? (STEP * Math.min(1, value.before / LIGHTS)) / (onPaper - 1) : step;
+    const wanted = Math.min(step, most, STEEPEST * (lighter.lightness - value.lightness));
     value.darkness = Math.max(value.darkness, lighter.darkness + wanted);
   }
   const most = masses.at(-1)?.darkness ?? 0;
@@ -168,11 +176,12 @@ function curveThrough(values: readonly Value[]): Pick<ValuePlan, 'knots' | 'bend
     points.unshift({
       lightness: Math.min(1, first.lightness + first.darkness / STEEPEST) + ONE_VALUE,
       weight: 0,
+      before: 0,
       darkness: 0,
     });
   const last = points[points.length - 1];
   const ofBlack = Math.min(DARKEST, last.darkness + STEEPEST * last.lightness);
-  if (ofBlack > last.darkness + ONE_VALUE) points.push({ lightness: 0, weight: 0, darkness: ofBlack });
+  if (ofBlack > last.darkness + ONE_VALUE) points.push({ lightness: 0, weight: 0, before: 1, darkness: ofBlack });
   while (points.length > KNOTS) points.splice(leastMissed(points), 1);
   const knots = points.map(({ lightness }) => lightness);
   const slopes = points.map((point, i) => {
@@ -198,7 +207,7 @@ function leastMissed(points: readonly Value[]): number {
   return found;
 }
 
-/** The weights of red, green and blue in the luminance, and those behind a red, orange, green, cyan, magenta and blue filter. */
+/** The weights of red, green and blue in the luminance, and those behind a red, orange, green, cyan, magenta, purple and blue filter. */
 const FILTERS: readonly ValuePlan['filter'][] = [
   [0.2126, 0.7152, 0.0722],
   [0.7, 0.25, 0.05],
@@ -206,6 +215,7 @@ const FILTERS: readonly ValuePlan['filter'][] = [
   [0.1, 0.85, 0.05],
   [0.05, 0.55, 0.4],
   [0.5, 0.1, 0.4],
+  [0.85, 0, 0.15],
   [0.1, 0.3, 0.6],
 ];
 /** The share of the surface that may be lost beside what it differs from in hue, before a filter is taken. */
@@ -213,16 +223,20 @@ const LOST = 0.02;
 /** The least difference in red, green or blue, as lightness, by which colours differ to the eye. */
 const DIFFERENT = 0.2;
 
-/** The filter behind which the fewest colours look alike that do not. */
+/** The filter behind which few colours look alike that do not, and most of the surface is as light as the lightest. */
 function filterFor(colors: readonly Color[]): ValuePlan['filter'] {
   const main = colors.filter(({ weight }) => weight >= SPOT);
-  let [found, least] = [FILTERS[0], lostBehind(FILTERS[0], main) - LOST];
-  if (least <= 0) return found;
-  for (const filter of FILTERS.slice(1)) {
-    const lost = lostBehind(filter, main);
-    if (lost < least) [found, least] = [filter, lost];
-  }
-  return found;
+  const [plain] = FILTERS;
+  if (lostBehind(plain, main) <= LOST) return plain;
+  const missed = FILTERS.map((filter) => lostBehind(filter, main) + darkBehind(filter, main));
+  return FILTERS[missed.indexOf(Math.min(...missed))];
+}
+
+/** How much darker than the lightest of them colours are on the whole. */
+function darkBehind(filter: ValuePlan['filter'], colors: readonly Color[]): number {
+  const seen = colors.map((color) => behind(filter, color));
+  const lightest = Math.max(...seen);
+  return colors.reduce((sum, { weight }, i) => sum + weight * (lightest - seen[i]), 0);
 }
 
 /** The share of the surface whose neighbours in lightness are of another colour. */

@@ -71,7 +71,7 @@ export const exposure: readonly Mutation[] = [
   {
     name: 'the light half of a scene is not left blank',
     file: 'src/material/exposure/planValues.ts',
-    find: 'clamp01((share - BLANK) / (1 - BLANK))',
+    find: 'clamp01((share - PAPER) / (1 - PAPER))',
     replace: 'clamp01(share)',
     caughtBy: {
       layer: 'unit',
@@ -91,10 +91,32 @@ export const exposure: readonly Mutation[] = [
     },
   },
   {
+    name: 'a small light part darkens all others',
+    file: 'src/material/exposure/planValues.ts',
+    find: 'Math.min(1, value.before / LIGHTS)',
+    replace: '1',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/planValues.test.ts',
+      title: 'leaves nearly all blank that is darker than a small light part alone, and rises with its share',
+    },
+  },
+  {
+    name: 'undersides count in the plan of values as what lies above them does',
+    file: 'src/material/exposure/ExposureFit.ts',
+    find: '0.5 + 0.5 * normal.y',
+    replace: '1',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/fitExposure.test.ts',
+      title: 'of undersides hardly count in the plan of values',
+    },
+  },
+  {
     name: 'no filter is taken for colours of one lightness',
     file: 'src/material/exposure/planValues.ts',
-    find: 'if (least <= 0) return found;',
-    replace: 'if (least <= 1) return found;',
+    find: '<= LOST) return plain;',
+    replace: '<= 1) return plain;',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/exposure/planValues.test.ts',

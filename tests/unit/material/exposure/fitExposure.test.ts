@@ -234,6 +234,20 @@ describe('colours', () => {
     map.repeat.set(0.4, 1);
     expect(fitExposure(sceneOf(new Mesh(ball, grey(1, { map })), sun(1))).white).toBe(0.3);
   });
+
+  test('of undersides hardly count in the plan of values', () => {
+    /** The darkness of the middle grey on one side of a slab whose other side is white. */
+    const darkness = (side: 'above' | 'below'): number => {
+      const [above, below] = [new PlaneGeometry(), new PlaneGeometry()];
+      above.rotateX(-Math.PI / 2);
+      below.rotateX(Math.PI / 2);
+      const [seen, other] = side === 'above' ? [above, below] : [below, above];
+      const { plan } = fitExposure(sceneOf(new Mesh(seen, grey(MIDDLE)), new Mesh(other, grey(1)), sun(1)));
+      return plan.knots.reduce((sum, knot, i) => sum + plan.bends[i] * Math.max(knot - 0.5, 0), 0);
+    };
+    expect(darkness('above')).toBeLessThan(0.05);
+    expect(darkness('below')).toBeGreaterThan(0.14);
+  });
 });
 
 describe('the fit', () => {
