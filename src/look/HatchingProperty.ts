@@ -9,7 +9,7 @@ export type HatchingProperty =
 
 /** A property that the material passes to the shader in a way of its own. */
 export interface HatchingOther extends UsedByTechniques {
-  kind: 'tonalArtMap' | 'curve' | 'point';
+  kind: 'tonalArtMap' | 'hand' | 'curve' | 'point';
   /** The default of families of techniques that have another. */
   defaultFor?: Readonly<Partial<Record<TechniqueFamily, string>>>;
 }

@@ -170,7 +170,7 @@ export const HATCHING_PROPERTIES = {
     default: null,
     defaultFor: { strokes: 1.5 },
     range: { above: 0 },
-    techniques: ['triangle', 'adjacency', 'hatching', 'dryMedia', 'stipple'],
+    techniques: ['triangle', 'adjacency', 'hatching', 'dryMedia', 'stipple', 'pen'],
   },
   edgePixels: {
     kind: 'number',
@@ -197,6 +197,7 @@ export const HATCHING_PROPERTIES = {
     },
     techniques: ['hatching', 'dryMedia', 'engraving', 'pen', 'woodcut'],
   },
+  hand: { kind: 'hand', default: null, techniques: ['pen'] },
   lineSpacing: {
     kind: 'number',
     default: 4.5,

@@ -25,7 +25,8 @@ import {
 import type { PresetName } from '../look/presetMaterials.js';
 import { defaultOf, spelledOut } from '../look/presetParameters.js';
 import { followsForm, needsMap, usesThresholds } from '../look/queries.js';
-import { checkChoice } from './checkProperty.js';
+import type { Hand } from '../strokes/hand/Hand.js';
+import { checkChoice, checkHand } from './checkProperty.js';
 import type { HatchingMaterialParameters } from './checkValues.js';
 import { checkValues, warnOfUnused } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/canDeform.js';
@@ -51,7 +52,7 @@ import {
 } from './hatchingUniforms.js';
 import { fittingMap, mapIsReady, sharedMap } from './mapInUse.js';
 import { PropertyFields } from './PropertyFields.js';
-import { fetchParts, fetchPartsOf, PartInUse } from './parts/parts.js';
+import { fetchedPart, fetchParts, fetchPartsOf, PartInUse } from './parts/parts.js';
 import { drawnPart, writePartUniforms } from './pictureOffset.js';
 import { type ProgramFacts, programDefines, programSwitches, writeDefines } from './programDefines.js';
 import { withVectors } from './propertyValues.js';
@@ -171,6 +172,18 @@ export class HatchingMaterial extends PropertyFields {
 
   override set perTriangle(value: Partial<PerTriangleOptions>) {
     this.ofTriangles.setValues(value);
+  }
+
+  override get hand(): Hand | null {
+    return this.chosenHand;
+  }
+
+  override set hand(value: Hand | null) {
+    checkHand(value);
+    // Once the code that draws hands has loaded, it finds every fault.
+    if (value) fetchedPart('handStrokes')?.checkHand?.(value);
+    this.chosenHand = value;
+    this.writeProgram();
   }
 
   override get toneCurve(): ToneCurve {
@@ -410,10 +423,10 @@ export class HatchingMaterial extends PropertyFields {
     u.opacity.value = this.opacity;
     u.alphaTest.value = this.alphaTest;
     writeSizeUniforms(this, chosen, renderer?.getPixelRatio() ?? 1, u);
-    this.inUse.part?.writeUniforms?.(u);
     writeMapUniforms(map, isOfThresholds, u);
     u.inked.value = Number(map !== null || !this.drawsWithMap);
     writeComputedUniforms(this, u);
+    this.inUse.part?.writeUniforms?.(u, this, renderer?.getPixelRatio() ?? 1);
     writeFading(this, u, renderer, camera);
   }
 

@@ -11,6 +11,7 @@ import type {
   ToneModel,
   ToneNormal,
 } from '../look/hatchingProperties.js';
+import type { Hand } from '../strokes/hand/Hand.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingComposition } from './groups/HatchingComposition.js';
 import type { HatchingCompositionOptions, PerTriangleOptions } from './groups/ownedProperties.js';
@@ -51,10 +52,11 @@ export interface HatchingMaterialOptions {
   screenSpaceShare: number;
   /**
    * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
-   * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
-   * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'hatching'`,
-   * `'dryMedia'`, `'stipple'` `1.5`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'dryMedia'`, `'stipple'`, with
-   * `sharpInk` `true`, or `levelRule` `'depth'`.
+   * choose them by derivatives; of a `pen`, the width of the strokes of its `hand`. `null` leaves it to the technique:
+   * for `triangle` and `adjacency` it is as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS
+   * pixels in (0, ∞). Default `null`, for `'hatching'`, `'dryMedia'`, `'stipple'` `1.5`. For all but `'engraving'`,
+   * `'woodcut'`, with `sharpInk` `true` and `hand` other than `null`, or `levelRule` `'depth'` and `hand` other than
+   * `null`.
    */
   strokeWidth: number | null;
   /**
@@ -76,9 +78,16 @@ export interface HatchingMaterialOptions {
    */
   direction: StrokeDirection;
   /**
+   * A hand from `learnHand`, whose whole strokes are drawn: at `strokeWidth`, or with `null` a millimetre of the sheet
+   * six pixels long. Their lengths, distances and crossings are the hand's, in place of `lineSpacing`, `strokeLength`,
+   * `crossFrom`, `crossAngle` and `irregularity`. Another hand builds no other program; `null` draws the pen's own
+   * strokes. Default `null`. Only `'pen'`.
+   */
+  hand: Hand | null;
+  /**
    * Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes
    * nearer new lines appear between them, thin at first. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0
-   * in (0, ∞). Default `4.5`. Only `'engraving'`, `'pen'`, `'woodcut'`.
+   * in (0, ∞). Default `4.5`. Only `'engraving'`, `'pen'`, `'woodcut'`, with `hand` `null`.
    */
   lineSpacing: number;
   /**
@@ -90,7 +99,7 @@ export interface HatchingMaterialOptions {
   /**
    * Length of a stroke of `pen`, and of a wedge of `woodcut`: from 0.7 to 1.4 times as much, since strokes give way to
    * others half as long as the camera comes nearer. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0 in
-   * (0, ∞). Default `72`. Only `'pen'`, `'woodcut'`.
+   * (0, ∞). Default `72`. Only `'pen'`, `'woodcut'`, with `hand` `null`.
    */
   strokeLength: number;
   /**
@@ -101,18 +110,19 @@ export interface HatchingMaterialOptions {
   /**
    * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of an engraving, a
    * pen or a woodcut; at 1 none do. Tone in [0, 1]. Default `0.52`, for `'hatching'`, `'dryMedia'`, `'stipple'` `0.6`.
-   * Only with `strokeLayers` `'tone'`.
+   * Only with `strokeLayers` `'tone'` and `hand` `null`.
    */
   crossFrom: number;
   /**
    * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
    * cut the first lines and those that cut the lines across them; lines that follow the form cross as they were baked.
-   * 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only with `strokeLayers` `'tone'`.
+   * 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only with `strokeLayers` `'tone'`
+   * and `hand` `null`.
    */
   crossAngle: number;
   /**
    * How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine. Share
-   * in [0, 1]. Default `0.4`. Only `'engraving'`, `'pen'`, `'woodcut'`.
+   * in [0, 1]. Default `0.4`. Only `'engraving'`, `'pen'`, `'woodcut'`, with `hand` `null`.
    */
   irregularity: number;
   /**
@@ -304,10 +314,11 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   screenSpaceShare: number;
   /**
    * Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys
-   * choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the
-   * map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS pixels in (0, ∞). Default `null`, for `'hatching'`,
-   * `'dryMedia'`, `'stipple'` `1.5`. Only `'triangle'`, `'adjacency'`, `'hatching'`, `'dryMedia'`, `'stipple'`, with
-   * `sharpInk` `true`, or `levelRule` `'depth'`.
+   * choose them by derivatives; of a `pen`, the width of the strokes of its `hand`. `null` leaves it to the technique:
+   * for `triangle` and `adjacency` it is as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels. CSS
+   * pixels in (0, ∞). Default `null`, for `'hatching'`, `'dryMedia'`, `'stipple'` `1.5`. For all but `'engraving'`,
+   * `'woodcut'`, with `sharpInk` `true` and `hand` other than `null`, or `levelRule` `'depth'` and `hand` other than
+   * `null`.
    */
   strokeWidth: number | null;
   /**
@@ -329,9 +340,16 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    */
   direction: StrokeDirection;
   /**
+   * A hand from `learnHand`, whose whole strokes are drawn: at `strokeWidth`, or with `null` a millimetre of the sheet
+   * six pixels long. Their lengths, distances and crossings are the hand's, in place of `lineSpacing`, `strokeLength`,
+   * `crossFrom`, `crossAngle` and `irregularity`. Another hand builds no other program; `null` draws the pen's own
+   * strokes. Default `null`. Only `'pen'`.
+   */
+  hand: Hand | null;
+  /**
    * Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes
    * nearer new lines appear between them, thin at first. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0
-   * in (0, ∞). Default `4.5`. Only `'engraving'`, `'pen'`, `'woodcut'`.
+   * in (0, ∞). Default `4.5`. Only `'engraving'`, `'pen'`, `'woodcut'`, with `hand` `null`.
    */
   lineSpacing: number;
   /**
@@ -343,7 +361,7 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Length of a stroke of `pen`, and of a wedge of `woodcut`: from 0.7 to 1.4 times as much, since strokes give way to
    * others half as long as the camera comes nearer. CSS pixels at a `screenSpaceShare` of 1, 256ths of a tile at 0 in
-   * (0, ∞). Default `72`. Only `'pen'`, `'woodcut'`.
+   * (0, ∞). Default `72`. Only `'pen'`, `'woodcut'`, with `hand` `null`.
    */
   strokeLength: number;
   /**
@@ -355,18 +373,19 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
   /**
    * Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of an engraving, a
    * pen or a woodcut; at 1 none do. Tone in [0, 1]. Default `0.52`, for `'hatching'`, `'dryMedia'`, `'stipple'` `0.6`.
-   * Only with `strokeLayers` `'tone'`.
+   * Only with `strokeLayers` `'tone'` and `hand` `null`.
    */
   crossFrom: number;
   /**
    * Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that
    * cut the first lines and those that cut the lines across them; lines that follow the form cross as they were baked.
-   * 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only with `strokeLayers` `'tone'`.
+   * 60° is a pen's, 90° an engraver's. Radians in (0, π/2]. Default `Math.PI / 3`. Only with `strokeLayers` `'tone'`
+   * and `hand` `null`.
    */
   crossAngle: number;
   /**
    * How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine. Share
-   * in [0, 1]. Default `0.4`. Only `'engraving'`, `'pen'`, `'woodcut'`.
+   * in [0, 1]. Default `0.4`. Only `'engraving'`, `'pen'`, `'woodcut'`, with `hand` `null`.
    */
   irregularity: number;
   /**

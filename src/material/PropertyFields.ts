@@ -1,6 +1,7 @@
 import { ShaderMaterial } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import type { Hand } from '../strokes/hand/Hand.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { accessorOf, fieldOf } from './propertyAccessors.js';
 import type { HatchingMap } from './propertyValues.js';
@@ -12,6 +13,7 @@ import type { HatchingMap } from './propertyValues.js';
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: the constructor defines every property of the table.
 export abstract class PropertyFields extends ShaderMaterial {
   protected chosenMap: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
+  protected chosenHand: Hand | null = null;
   /**
    * The numbers that were set; the others have the technique's defaults. They are in a Map, because V8 allocates a number whenever it
    * is read from a field by a computed name, which here would be every frame.

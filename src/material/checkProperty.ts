@@ -1,6 +1,7 @@
 import { Color, type Texture } from 'three';
 import type { HatchingNumber, HatchingOwner, HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_DEFAULTS, HATCHING_PROPERTIES, type HatchingPropertyName } from '../look/hatchingProperties.js';
+import type { Hand } from '../strokes/hand/Hand.js';
 import { checkNumber } from './checkNumber.js';
 import { warn } from './diagnostics/warn.js';
 import { fittedCurve, type ToneCurve } from './fitToneCurve.js';
@@ -87,7 +88,17 @@ export function checkValue(name: HatchingPropertyName, value: unknown): void {
       break;
     case 'tonalArtMap':
       checkHatchingMap(value as HatchingMap);
+      break;
+    case 'hand':
+      checkHand(value);
   }
+}
+
+/** @throws TypeError unless `value` is null or can be a hand, whose strokes and numbers are checked when they are drawn */
+export function checkHand(value: unknown): void {
+  const { version, strokes, numbers } = Object(value) as Partial<Hand>;
+  const isHand = version === 1 && Array.isArray(strokes) && strokes.length > 0 && typeof numbers === 'object';
+  check('hand', value === null || isHand, 'a hand of version 1 with strokes, as learnHand makes it, or null');
 }
 
 /** @throws TypeError unless `value` is null or a point */

@@ -92,6 +92,10 @@ export function createHatchingUniforms(): Uniforms {
       // Dots.
       dotPixels: { value: 1 },
       stippleMap: { value: null },
+      // Strokes of a hand.
+      handReach: { value: new Vector4() },
+      handShorter: { value: 0 },
+      handStrokes: { value: null },
       // Paper.
       toothMap: { value: null },
       toothOffset: { value: new Vector2() },

@@ -7,7 +7,8 @@ import {
   type HatchingTechnique,
 } from '../look/hatchingProperties.js';
 import { defaultOf } from '../look/presetParameters.js';
-import { checkPoint, numberOrWord } from './checkProperty.js';
+import type { Hand } from '../strokes/hand/Hand.js';
+import { checkHand, checkPoint, numberOrWord } from './checkProperty.js';
 import { checkHatchingMap, type HatchingMap, toPoint } from './propertyValues.js';
 
 /** The storage of a material's properties, for GLSL or nodes, or of a group of them. */
@@ -16,6 +17,7 @@ interface PropertyHolder {
   readonly technique?: HatchingTechnique;
   focused: Vector3 | null;
   chosenMap: HatchingMap;
+  chosenHand: Hand | null;
   readonly numbers: Map<HatchingPropertyName, number | 'auto' | 'fit' | null>;
   choice(name: HatchingPropertyName): string | boolean;
   choose(name: HatchingPropertyName, value: string | boolean): void;
@@ -31,6 +33,16 @@ export function accessorOf(name: HatchingPropertyName): PropertyDescriptor & Thi
       },
       set(value) {
         this.chosenMap = checkHatchingMap(value);
+      },
+    };
+  if (property.kind === 'hand')
+    return {
+      get() {
+        return this.chosenHand;
+      },
+      set(value) {
+        checkHand(value);
+        this.chosenHand = value;
       },
     };
   if (property.kind === 'point')

@@ -1,5 +1,5 @@
 import { checkHand } from './hand/checkHand.js';
-import type { Hand, HandNumbers } from './hand/Hand.js';
+import type { Hand, HandNumbers, SwatchTone } from './hand/Hand.js';
 import { arcAt, measureStroke, type StrokeMeasure } from './hand/measureStroke.js';
 import { distance, polylineOf, resample, splitAtTurns } from './hand/Polyline.js';
 import { separateLayers } from './hand/separateLayers.js';
@@ -30,12 +30,14 @@ export interface PreparedHand {
     /** See `StrokeProfile`. */
     offset: Float32Array;
     width: Float32Array;
+    swatch: SwatchTone;
   }[];
   numbers: HandNumbers;
   mirror: boolean;
 }
 
 type Shape = PreparedHand['shapes'][number];
+type Drawn = Pick<Shape, 'offset' | 'width'>;
 
 /** Strokes measured between two yields, in about a millisecond. */
 const STROKES_PER_SLICE = 50;
@@ -46,10 +48,11 @@ const STROKES_PER_SLICE = 50;
  *
  * Everything that is drawn uses only arithmetic that IEEE 754 rounds exactly, so the same hand gives the same map on every machine.
  *
+ * @param caller what the errors name
  * @throws TypeError or RangeError with the fault of the hand, at the first steps; yields progress in [0, 1]
  */
-export function* prepareHand(hand: Hand): Generator<number, PreparedHand, void> {
-  checkHand('TonalArtMap', hand);
+export function* prepareHand(hand: Hand, caller = 'TonalArtMap'): Generator<number, PreparedHand, void> {
+  checkHand(caller, hand);
   const { numbers, mirror = false } = hand;
   const every = Math.ceil(hand.strokes.length / MOST_STROKES);
   const strokes = hand.strokes.filter((_, i) => i % every === 0);
@@ -59,7 +62,7 @@ export function* prepareHand(hand: Hand): Generator<number, PreparedHand, void> 
     if (index % STROKES_PER_SLICE === STROKES_PER_SLICE - 1) yield (0.5 * index) / strokes.length;
   }
   if (pieces.length === 0)
-    throw new RangeError('TonalArtMap: hand: all strokes are dots; draw strokes longer than wide.');
+    throw new RangeError(`${caller}: hand: all strokes are dots; draw strokes longer than wide.`);
 
   const next = random(pieces.length);
   const shapes: Shape[] = [];
@@ -101,14 +104,14 @@ export function* prepareHand(hand: Hand): Generator<number, PreparedHand, void> 
     );
     // A stroke that was drawn backwards is turned to the direction of its layer.
     if (backwards.has(piece)) turnAround(shape);
-    shapes.push({ length: (length * chordOf(piece)) / piece.length, ...shape });
+    shapes.push({ length: (length * chordOf(piece)) / piece.length, ...shape, swatch: piece.swatch });
     if (i % STROKES_PER_SLICE === STROKES_PER_SLICE - 1) yield 0.5 + (0.5 * i) / count;
   }
   return { shapes, numbers, mirror };
 }
 
 /** Turns a shape by half a turn. */
-function turnAround({ offset, width }: Omit<Shape, 'length'>): void {
+function turnAround({ offset, width }: Drawn): void {
   offset.reverse();
   for (let i = 0; i < offset.length; i++) offset[i] = -offset[i];
   width.reverse();
@@ -157,7 +160,7 @@ interface Warp {
 }
 
 /** The shape of one stroke as it was drawn, warped. */
-function shapeOf(piece: StrokeMeasure, warp: Warp, next: Random): Omit<Shape, 'length'> {
+function shapeOf(piece: StrokeMeasure, warp: Warp, next: Random): Drawn {
   const { residual, width } = warp.samples;
   const { own, wanted } = warp.wobble;
   const wobble = own >= OWN_SHARE * wanted ? (own > 0 ? wanted / own : 0) : 0;

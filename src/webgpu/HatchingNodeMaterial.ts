@@ -59,6 +59,7 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { type HatchingMap, withVectors } from '../material/propertyValues.js';
 import { TONE_CURVES } from '../material/shaders/defineNames.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
+import type { Hand } from '../strokes/hand/Hand.js';
 import { maxTextureSize, warnOnce } from './deviceLimits.js';
 import { dotLayerOf, exposureReady, patternReady, writeExposure, writePattern } from './fetchedCode.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
@@ -119,6 +120,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   readonly envMap: null = null;
   protected focused: Vector3 | null = null;
   protected chosenMap: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
+  protected chosenHand: Hand | null = null;
   protected numbers = new Map<HatchingPropertyName, number | 'auto' | 'fit' | null>();
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
     technique: HATCHING_DEFAULTS.technique,
@@ -227,7 +229,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
       const own = name as PropertyNameOf<undefined>;
       if (kind === 'color') (this[own] as Color).copy(source[own] as Color);
       else if (kind === 'vector2') (this[own] as Vector2).copy(source[own] as Vector2);
-      else if (kind === 'texture' || kind === 'tonalArtMap') Object.assign(this, { [own]: source[own] });
+      else if (kind === 'texture' || kind === 'tonalArtMap' || kind === 'hand')
+        Object.assign(this, { [own]: source[own] });
     }
     this.composed = source.composed;
     this.ofTriangles.setValues(source.ofTriangles);
@@ -392,6 +395,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
   private warnOfMissing(): void {
     const { technique } = this;
     if (needsAdjacency(this)) warnOnce(`there are no nodes of the technique "${technique}" yet; "engraving" is drawn.`);
+    if (technique === 'pen' && this.hand)
+      warnOnce('there are no nodes of the strokes of a hand yet; plain strokes of a pen are drawn.');
   }
 
   private print(lit: LitSurface, builder: NodeBuilder): Value {

@@ -15,6 +15,7 @@ export type PropertyRow =
   | PointRow
   | TextureRow
   | MapRow
+  | HandRow
   | ChoiceRow
   | SwitchRow
   | CurveRow;
@@ -95,6 +96,12 @@ export interface MapRow extends BaseRow {
   kind: 'tonalArtMap';
   /** The style of the shared map. */
   default: StrokeStyleName;
+}
+
+/** A hand, or null. Uniforms are computed from it. */
+export interface HandRow extends BaseRow {
+  kind: 'hand';
+  default: null;
 }
 
 /** A choice of several names: a define, so that another choice builds another program. */

@@ -72,6 +72,7 @@ export function writePropertyTypes(table: Table): string {
   const types = rows.flatMap(([, row]) => (row.kind === 'choice' && row.owner === undefined ? [row.type] : [])).sort();
   return `${HEADER}import type { Color, ColorRepresentation, ShaderMaterial, Texture, Vector2 } from 'three';
 import type { ${types.join(', ')} } from '../look/hatchingProperties.js';
+import type { Hand } from '../strokes/hand/Hand.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingComposition } from './groups/HatchingComposition.js';
 import type { HatchingCompositionOptions, PerTriangleOptions } from './groups/ownedProperties.js';
@@ -231,6 +232,8 @@ function valueType(row: PropertyRow): string {
       return 'Texture | null';
     case 'tonalArtMap':
       return 'HatchingMap';
+    case 'hand':
+      return 'Hand | null';
     case 'choice':
       return row.type;
     case 'switch':

@@ -1,5 +1,6 @@
 // Lines drawn in strokes of a pen. Each stroke begins thin, swells and tapers off. Light tones have fewer strokes, of the width of the nib.
 #include "technique/strokeLengths"
+#include "technique/strokeHashes"
 
 // The share of a line that is lost to the gaps and the tapered ends of its strokes where the gaps are widest.
 #define LOST (0.5 * STROKE_GAP + TAPER / 3.0)
@@ -33,18 +34,6 @@ Pen penFor(const in HatchingParameters h, const in Family family, const in float
 float bornBelow(const in float share) {
   if (share < 0.5 * BIRTH) return sqrt(2.0 * BIRTH * share);
   return share < 1.0 - 0.5 * BIRTH ? share + 0.5 * BIRTH : 1.0 + BIRTH - sqrt(2.0 * BIRTH * (1.0 - share));
-}
-
-// Random bits of a line, from which the hashes of its strokes are made.
-uint bitsOfLine(const in float line) {
-  uint spread = floatBitsToUint(line);
-  spread = (spread ^ spread >> 12u) * GOLDEN_RATIO;
-  return (spread ^ spread >> 13u) * THIRD_FACTOR;
-}
-
-// A hash of a stroke in [0, 1), far from those of its neighbours on the line.
-float strokeHash01(const in uint bits, const in float stroke) {
-  return float(bits + uint(int(stroke)) * THUE_MORSE >> 8u) / 16777216.0;
 }
 
 // The delay of the start of a stroke, as a share of the mean length.

@@ -2,28 +2,7 @@
 // between every two (the octaves of a ruler), and the share of ink stays the tone throughout.
 #include "lineCoverage"
 
-uniform float lineSpacing; // pixels between lines, or 256ths of a tile
-#if TONE_MODEL == TONE_MODEL_SHADOW
-  uniform float shadowSpacing; // factor on lineSpacing in shadows
-  #define WANTED_SPACING (shadowSpacing * lineSpacing)
-#else
-  #define WANTED_SPACING lineSpacing
-#endif // TONE_MODEL
-uniform float minLineSpacing; // pixels: where lines would lie closer, every other one is left out, so that they do not shimmer
-
-// Width over which the edge of a line fades, pixels.
-#define FRINGE 0.5
-
-// An approximate logarithm to base 2: exact at powers of two, linear between them, which continuous octaves need. x: above 0.
-float octaves(const in float x) {
-  // The bits of a float are its exponent and 23 bits of its mantissa.
-  return float(floatBitsToInt(x)) * (1.0 / 8388608.0) - 127.0;
-}
-
-// The inverse of `octaves`.
-float powerOf2(const in float octave) {
-  return intBitsToFloat(int(octave * 8388608.0 + 1065353216.0));
-}
+#include "technique/lineSpacing"
 
 #ifdef DISSOLVES_SHADOWS
   // A factor on the width of a line where a shadow dissolves: lines end one by one, instead of all thinning out together. The mean over all
@@ -60,12 +39,8 @@ float powerOf2(const in float octave) {
 
 // The darkness of a family.
 float ruledLines(const in HatchingParameters h, const in Family family, const in float tone) {
-  float trianglePerPixel = max(family.trianglePerPixel, max(LEAST_OF_SMOOTH * family.perPixel, 1e-12));
-  // Smooth normals space lines evenly over the triangles of a round body; on coarse meshes they may be far off.
-  float perPixel = clamp(family.perPixel, trianglePerPixel / MOST_OFF_TRIANGLE, trianglePerPixel * MOST_OFF_TRIANGLE);
-  float onObject = octaves(WANTED_SPACING / PARTS_OF_TILE * family.rise);
-  float onScreen = octaves(WANTED_SPACING * perPixel);
-  float octave = max(mix(onObject, onScreen, screenSpaceShare), octaves(minLineSpacing * perPixel));
+  float trianglePerPixel = trianglePerPixelOf(family);
+  float octave = octaveOf(family, trianglePerPixel);
   #if TECHNIQUE == TECHNIQUE_WOODCUT
     octave += rowOctaves(ROW_TONE);
   #endif // TECHNIQUE

@@ -1,4 +1,5 @@
 import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, WebGLRenderer } from 'three';
+import type { Hand } from '../../strokes/hand/Hand.js';
 import type { VertexLayout } from '../deformation/canDeform.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { ShaderFiles } from '../shaders/hatchingShaders.js';
@@ -14,8 +15,14 @@ export interface MaterialPart {
   readonly surface: Surface;
   /** Its files from shaders/. */
   readonly files: ShaderFiles;
-  /** Writes the uniforms of this part. Allocates nothing after the first call. */
-  writeUniforms?(uniforms: Record<string, IUniform>): void;
+  /**
+   * Writes the uniforms of this part after all others. Allocates nothing after the first call.
+   *
+   * @param pixelRatio pixels of the render target per CSS pixel
+   */
+  writeUniforms?(uniforms: Record<string, IUniform>, material: HatchingMaterialProperties, pixelRatio: number): void;
+  /** @throws TypeError or RangeError with the fault of a hand */
+  checkHand?(hand: Hand): void;
   /**
    * Sets the uniforms for a mesh that the material is about to draw.
    *

@@ -10,6 +10,7 @@ const FETCH = {
   dryMedia: (): Imports => [import('./strokes.js'), import('./dryMedia.js')],
   stipple: (): Imports => [import('./strokes.js'), import('./stipple.js')],
   lines: (): Imports => [import('./lines.js')],
+  handStrokes: (): Imports => [import('./lines.js'), import('./handStrokes.js')],
   perTriangle: (): Imports => [import('./perTriangle.js')],
 };
 
@@ -20,27 +21,30 @@ const NAMES: Readonly<Record<PartName, string>> = {
   dryMedia: 'the technique "dryMedia"',
   stipple: 'the technique "stipple"',
   lines: 'the techniques "engraving", "pen" and "woodcut"',
+  handStrokes: 'the strokes of a hand',
   perTriangle: 'the techniques "triangle" and "adjacency"',
 };
 
 const fetched = /* @__PURE__ */ new Map<PartName, MaterialPart>();
 const fetching = /* @__PURE__ */ new Map<PartName, Promise<MaterialPart>>();
 
-/** The part that a technique needs. */
-export function partNameOf(technique: HatchingTechnique): PartName {
+/** The part that a technique needs, with or without a hand. */
+export function partNameOf(technique: HatchingTechnique, hand: unknown = null): PartName {
+  if (technique === 'pen' && hand !== null) return 'handStrokes';
   return technique === 'dryMedia' || technique === 'stipple' ? technique : familyOf(technique);
 }
 
 /** The properties that decide which part a material needs. */
 export interface LookOfParts {
   readonly technique: HatchingTechnique;
+  readonly hand?: unknown;
 }
 
 /** A part that has loaded; undefined if it has not. */
 export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched.get(name);
 
 /** Whether the part of a look has loaded. */
-export const isFetched = ({ technique }: LookOfParts): boolean => fetched.has(partNameOf(technique));
+export const isFetched = ({ technique, hand }: LookOfParts): boolean => fetched.has(partNameOf(technique, hand));
 
 /** Several parts as one. */
 const joined = (parts: readonly MaterialPart[]): MaterialPart =>
@@ -79,8 +83,8 @@ const failure = (name: PartName, cause: unknown): Error =>
   );
 
 /** Fetches the part that a look needs. */
-export async function fetchPartsOf({ technique }: LookOfParts): Promise<void> {
-  await fetchPart(partNameOf(technique));
+export async function fetchPartsOf({ technique, hand }: LookOfParts): Promise<void> {
+  await fetchPart(partNameOf(technique, hand));
 }
 
 /** Fetches all parts. */
@@ -102,8 +106,8 @@ export class PartInUse {
    *
    * @returns the part, if it has loaded; if not, the previous part stays in use
    */
-  take({ technique }: LookOfParts): MaterialPart | undefined {
-    const name = partNameOf(technique);
+  take({ technique, hand }: LookOfParts): MaterialPart | undefined {
+    const name = partNameOf(technique, hand);
     const part = fetchedPart(name);
     if (part) {
       this.part = part;

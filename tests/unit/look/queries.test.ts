@@ -138,6 +138,11 @@ describe('queries of a look', () => {
     ['exposureCompensation', { composition: { exposure: 'fit' } }, true],
     ['exposureCompensation', { preset: 'pen' }, true],
     ['depthFadeEnd', { composition: { depthFade: 'auto' } }, true],
+    ['strokeWidth', { technique: 'pen' }, false],
+    ['strokeWidth', { technique: 'pen', hand: {} }, true],
+    ['lineSpacing', { technique: 'pen' }, true],
+    ['lineSpacing', { technique: 'pen', hand: {} }, false],
+    ['lineSpacing', { technique: 'engraving', hand: {} }, true],
   ] as const)('%s under %j counts: %s', (name, look, expected) => {
     expect(counts(look, name)).toBe(expected);
   });
@@ -157,7 +162,7 @@ describe('queries of a look', () => {
                 : [
                     row.kind === 'switch'
                       ? true
-                      : row.kind === 'texture' || row.kind === 'point'
+                      : row.kind === 'texture' || row.kind === 'point' || row.kind === 'hand'
                         ? null
                         : expect.any(Number),
                   ],

@@ -12,6 +12,7 @@ import { givenValue, parametersOf } from '../../../src/look/queries.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
 import { HatchingShadowMaterial } from '../../../src/material/HatchingShadowMaterial.js';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
+import { learnHand } from '../../../src/strokes/hand/learnHand.js';
 import { outputs } from '../../../tools/properties/outputs.js';
 import type { PropertyRow } from '../../../tools/properties/PropertyRow.js';
 import { PROPERTIES } from '../../../tools/properties/table.js';
@@ -39,6 +40,8 @@ function anotherValue(name: HatchingPropertyName, row: PropertyRow): unknown {
       return new Texture();
     case 'tonalArtMap':
       return TonalArtMap.fromHatchImages({ size: 2, images: [[new Uint8Array(4).fill(255)], [new Uint8Array(4)]] });
+    case 'hand':
+      return learnHand([1, 2, 3].map((y) => ({ points: [0, y, 5, y, 10, y], widths: [0.2, 0.5, 0.2] })));
     case 'choice':
       // One that the first technique knows.
       return (row.choicesFor?.strokes ?? Object.keys(row.choices)).find((choice) => choice !== HATCHING_DEFAULTS[name]);

@@ -79,10 +79,13 @@ export const STROKES = {
     measure: 'pixels',
     range: { above: 0 },
     uniform: false,
-    techniques: [...PER_TRIANGLE, ...STROKES_FAMILY],
-    when: [{ sharpInk: [true] }, { levelRule: ['depth'] }],
+    techniques: [...PER_TRIANGLE, ...STROKES_FAMILY, 'pen'],
+    when: [
+      { sharpInk: [true], hand: { not: null } },
+      { levelRule: ['depth'], hand: { not: null } },
+    ],
     sentence:
-      'Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys choose them by derivatives. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels.',
+      'Width of a stroke on the screen, which is also where coarser levels of the map take over, unless blended greys choose them by derivatives; of a `pen`, the width of the strokes of its `hand`. `null` leaves it to the technique: for `triangle` and `adjacency` it is as wide as the map draws strokes, `tonalArtMap.strokeTexels` pixels.',
   },
   edgePixels: {
     kind: 'number',
@@ -132,6 +135,14 @@ export const STROKES = {
     sentence:
       "What strokes and lines take their direction from. Strokes of `hatching` and `dryMedia` know `'light'`, `'form'`, `'acrossForm'` and `'sheet'`; lines of `engraving`, `pen` and `woodcut` know all but `'sheet'`. Another counts as the default.",
   },
+  hand: {
+    kind: 'hand',
+    group: 'Strokes',
+    default: null,
+    techniques: ['pen'],
+    sentence:
+      "A hand from `learnHand`, whose whole strokes are drawn ([hand.md](hand.md#strokes-of-a-hand-on-a-model)): at `strokeWidth`, or with `null` a millimetre of the sheet six pixels long. Their lengths, distances and crossings are the hand's, in place of `lineSpacing`, `strokeLength`, `crossFrom`, `crossAngle` and `irregularity`. Another hand builds no other program; `null` draws the pen's own strokes.",
+  },
   lineSpacing: {
     kind: 'number',
     group: 'Strokes',
@@ -140,6 +151,7 @@ export const STROKES = {
     measureOnScreen: 'pixels',
     range: { above: 0 },
     techniques: LINES_FAMILY,
+    when: { hand: [null] },
     sentence:
       'Distance between lines. Where that is less than `minLineSpacing`, every other line is left out. As the camera comes nearer new lines appear between them, thin at first.',
   },
@@ -161,6 +173,7 @@ export const STROKES = {
     measureOnScreen: 'pixels',
     range: { above: 0 },
     techniques: ['pen', 'woodcut'],
+    when: { hand: [null] },
     sentence:
       'Length of a stroke of `pen`, and of a wedge of `woodcut`: from 0.7 to 1.4 times as much, since strokes give way to others half as long as the camera comes nearer.',
   },
@@ -187,7 +200,7 @@ export const STROKES = {
     defaultFor: { strokes: 0.6 },
     measure: 'tone',
     range: { from: 0, to: 1 },
-    when: { strokeLayers: ['tone'] },
+    when: { strokeLayers: ['tone'], hand: [null] },
     sentence:
       "Tone above which others cross the first strokes, with `strokeLayers: 'tone'`, or the first lines of an engraving, a pen or a woodcut; at 1 none do.",
   },
@@ -199,7 +212,7 @@ export const STROKES = {
     measure: 'radians',
     range: { above: 0, to: Math.PI / 2 },
     uniform: false,
-    when: { strokeLayers: ['tone'] },
+    when: { strokeLayers: ['tone'], hand: [null] },
     sentence:
       "Angle between the first layer of strokes and the second, with `strokeLayers: 'tone'`, or between the planes that cut the first lines and those that cut the lines across them; lines that follow the form cross as they were baked. 60° is a pen's, 90° an engraver's.",
   },
@@ -210,6 +223,7 @@ export const STROKES = {
     measure: 'share',
     range: { from: 0, to: 1 },
     techniques: LINES_FAMILY,
+    when: { hand: [null] },
     sentence:
       'How unsteady the hand is: lines differ in width, stray, and have gaps in the lights. 0 is a ruling machine.',
   },

@@ -1,13 +1,12 @@
 /** Counterpart of shaders/techniques/lines/penStrokes.glsl: lines drawn in strokes of a pen. */
 import { PEN_CONSTANTS } from '../../../look/constants/lineConstants.js';
-import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
 import { lineCoverage } from '../base/maths.js';
 import { tsl, type Value } from '../base/values.js';
 import { hash01, irregularity, turnOf } from './hand.js';
 import type { Family, HatchingParameters } from './read.js';
-import { type Along, alongLines, differing, FRINGE, numberOf } from './strokeLengths.js';
+import { type Along, alongLines, bitsOfLine, differing, FRINGE, numberOf, strokeHash01 } from './strokeLengths.js';
 
-const { abs, clamp, float, floatBitsToUint, floor, fract, If, int, Loop, max, min, mix, select, sign, sqrt } = tsl;
+const { abs, clamp, float, floor, fract, If, int, Loop, max, min, mix, select, sign, sqrt } = tsl;
 const { uint, vec2 } = tsl;
 const { ALL_FROM, AXIS_HASH, AXIS_TURN, BENDING, BIRTH, BIRTH_HASH, CLOSED_FROM, GAP_HASH, LATE_HASH, LATENESS } =
   PEN_CONSTANTS;
@@ -60,26 +59,6 @@ function bornBelow(share: Value): Value {
   );
   return select(share.lessThan(0.5 * BIRTH), sqrt(share.mul(2 * BIRTH)), grown).toVar();
 }
-
-/** Random bits of a line, from which the hashes of its strokes are made. */
-function bitsOfLine(line: Value): Value {
-  const { GOLDEN_RATIO, THIRD_FACTOR } = HASH_FACTORS;
-  const word = floatBitsToUint(line).toVar();
-  const spread = word
-    .bitXor(word.shiftRight(uint(12)))
-    .mul(uint(GOLDEN_RATIO))
-    .toVar();
-  return spread
-    .bitXor(spread.shiftRight(uint(13)))
-    .mul(uint(THIRD_FACTOR))
-    .toVar();
-}
-
-/** A hash of a stroke in [0, 1), far from those of its neighbours on the line. */
-const strokeHash01 = (bits: Value, stroke: Value): Value =>
-  float(bits.add(uint(int(stroke)).mul(uint(HASH_FACTORS.THUE_MORSE))).shiftRight(uint(8)))
-    .div(16777216)
-    .toVar();
 
 /** The delay of the start of a stroke, as a share of the mean length. */
 const latenessOf = (chance: Value): Value => fract(chance.mul(LATE_HASH)).mul(LATENESS).toVar();

@@ -1,5 +1,5 @@
 /** Counterpart of shaders/techniques/lines/ruledLines.glsl: one family of lines. */
-import { GROUND_CONSTANTS, LINE_CONSTANTS } from '../../../look/constants/lineConstants.js';
+import { GROUND_CONSTANTS } from '../../../look/constants/lineConstants.js';
 import type { HatchingTechnique } from '../../../look/hatchingProperties.js';
 import { lineCoverage } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
@@ -8,15 +8,12 @@ import { cutFor, cutWidth, rowOctaves } from './carving.js';
 import { handWidth, hash01 } from './hand.js';
 import { penCoverage, penFor } from './penStrokes.js';
 import type { Family, HatchingParameters } from './read.js';
-import { FRINGE, octaves, powerOf2, screenSpaceShare } from './strokeLengths.js';
+import { FRINGE, octaveOf, powerOf2, trianglePerPixelOf } from './strokeLengths.js';
 
-const { abs, ceil, clamp, float, floor, fract, int, Loop, max, min, mix, select } = tsl;
+const { abs, ceil, float, floor, fract, int, Loop, max, min, select } = tsl;
 
-const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
-const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
 const toneEnds = /* @__PURE__ */ hatchingUniform('toneEnds', 'vec2');
 const shadowTone = /* @__PURE__ */ hatchingUniform('shadowTone', 'float');
-const minLineSpacing = /* @__PURE__ */ hatchingUniform('minLineSpacing', 'float');
 
 /**
  * A factor on the width of a line where a shadow dissolves: lines end one by one, instead of all thinning out together. The mean over all
@@ -64,17 +61,8 @@ function coveringBy(
 
 /** The darkness of a family. */
 export function ruledLines(h: HatchingParameters, family: Family, tone: Value, technique: HatchingTechnique): Value {
-  const { LEAST_OF_SMOOTH, MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;
-  const trianglePerPixel = max(family.trianglePerPixel, max(family.perPixel.mul(LEAST_OF_SMOOTH), 1e-12)).toVar();
-  const perPixel = clamp(
-    family.perPixel,
-    trianglePerPixel.div(MOST_OFF_TRIANGLE),
-    trianglePerPixel.mul(MOST_OFF_TRIANGLE),
-  ).toVar();
-  const wanted = h.shadowLeft ? lineSpacing.mul(shadowSpacing).toVar() : lineSpacing;
-  const onObject = octaves(wanted.div(PARTS_OF_TILE).mul(family.rise).toVar());
-  const onScreen = octaves(wanted.mul(perPixel).toVar());
-  const octave = max(mix(onObject, onScreen, screenSpaceShare), octaves(minLineSpacing.mul(perPixel).toVar())).toVar();
+  const trianglePerPixel = trianglePerPixelOf(family);
+  const octave = octaveOf(h, family, trianglePerPixel);
   if (technique === 'woodcut') octave.addAssign(rowOctaves(rowTone(h, tone)));
   octave.assign(min(octave, family.coarsest));
   const period = powerOf2(ceil(octave)).toVar();

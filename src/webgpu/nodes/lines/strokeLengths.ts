@@ -1,21 +1,41 @@
 /** Spacing of lines in octaves, and the strokes that lines are drawn in. */
 import { LINE_CONSTANTS, STROKE_LENGTH_CONSTANTS } from '../../../look/constants/lineConstants.js';
+import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { screenGradient } from '../chunks/screenGradient.js';
 import { vFieldNormal, vFieldPoint } from './fields.js';
 import type { Family, HatchingParameters } from './read.js';
 
-const { abs, ceil, clamp, cross, dot, float, floatBitsToInt, floor, int, intBitsToFloat, max, min, mix } = tsl;
-const { normalize, select, smoothstep, vec2, vec3 } = tsl;
+const {
+  abs,
+  ceil,
+  clamp,
+  cross,
+  dot,
+  float,
+  floatBitsToInt,
+  floatBitsToUint,
+  floor,
+  int,
+  intBitsToFloat,
+  max,
+  min,
+  mix,
+} = tsl;
+const { normalize, select, smoothstep, uint, vec2, vec3 } = tsl;
 const { AXES_FADE, DIFFERING_OCTAVES, LEAST_DIFFERING, LENGTHS_FADE } = STROKE_LENGTH_CONSTANTS;
 
 export const screenSpaceShare: Value = /* @__PURE__ */ hatchingUniform('screenSpaceShare', 'float');
 
+/** Counterpart of shaders/techniques/lines/lineSpacing.glsl: how far the lines of a family lie apart. */
+
+const lineSpacing = /* @__PURE__ */ hatchingUniform('lineSpacing', 'float');
+const shadowSpacing = /* @__PURE__ */ hatchingUniform('shadowSpacing', 'float');
+const minLineSpacing = /* @__PURE__ */ hatchingUniform('minLineSpacing', 'float');
+
 /** Width over which the edge of a line fades, pixels. */
 export const FRINGE = 0.5;
-
-/** Counterpart of `octaves` and `powerOf2` in shaders/techniques/lines/ruledLines.glsl. */
 
 /** An approximate logarithm to base 2: exact at powers of two, linear between them. @param x above 0, a variable */
 export const octaves = (x: Value): Value =>
@@ -25,6 +45,26 @@ export const octaves = (x: Value): Value =>
 
 /** The inverse of `octaves`. */
 export const powerOf2 = (octave: Value): Value => intBitsToFloat(int(octave.mul(8388608).add(1065353216)));
+
+/** The change of a family's function from one pixel to the next on the flat triangle, above 0. */
+export function trianglePerPixelOf(family: Family): Value {
+  const { LEAST_OF_SMOOTH } = LINE_CONSTANTS;
+  return max(family.trianglePerPixel, max(family.perPixel.mul(LEAST_OF_SMOOTH), 1e-12)).toVar();
+}
+
+/** The octave of the distance between its lines, before repeats of their numbers limit it. */
+export function octaveOf(h: HatchingParameters, family: Family, trianglePerPixel: Value): Value {
+  const { MOST_OFF_TRIANGLE, PARTS_OF_TILE } = LINE_CONSTANTS;
+  const perPixel = clamp(
+    family.perPixel,
+    trianglePerPixel.div(MOST_OFF_TRIANGLE),
+    trianglePerPixel.mul(MOST_OFF_TRIANGLE),
+  ).toVar();
+  const wanted = h.shadowLeft ? lineSpacing.mul(shadowSpacing).toVar() : lineSpacing;
+  const onObject = octaves(wanted.div(PARTS_OF_TILE).mul(family.rise).toVar());
+  const onScreen = octaves(wanted.mul(perPixel).toVar());
+  return max(mix(onObject, onScreen, screenSpaceShare), octaves(minLineSpacing.mul(perPixel).toVar())).toVar();
+}
 
 /** Counterpart of shaders/techniques/lines/strokeLengths.glsl: the strokes that the lines of a family are drawn in. */
 
@@ -82,3 +122,25 @@ export function numberOf(line: Value, { isOfForm, coarsest }: Family): Value {
   const repeat = powerOf2(float(coarsest).toVar()).toVar();
   return line.sub(repeat.mul(floor(line.div(repeat).add(0.5)))).toVar();
 }
+
+/** Counterpart of shaders/techniques/lines/strokeHashes.glsl: random numbers of strokes. */
+
+/** Random bits of a line, from which the hashes of its strokes are made. */
+export function bitsOfLine(line: Value): Value {
+  const { GOLDEN_RATIO, THIRD_FACTOR } = HASH_FACTORS;
+  const word = floatBitsToUint(line).toVar();
+  const spread = word
+    .bitXor(word.shiftRight(uint(12)))
+    .mul(uint(GOLDEN_RATIO))
+    .toVar();
+  return spread
+    .bitXor(spread.shiftRight(uint(13)))
+    .mul(uint(THIRD_FACTOR))
+    .toVar();
+}
+
+/** A hash of a stroke in [0, 1), far from those of its neighbours on the line. */
+export const strokeHash01 = (bits: Value, stroke: Value): Value =>
+  float(bits.add(uint(int(stroke)).mul(uint(HASH_FACTORS.THUE_MORSE))).shiftRight(uint(8)))
+    .div(16777216)
+    .toVar();

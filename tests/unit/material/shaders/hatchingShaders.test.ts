@@ -14,10 +14,12 @@ const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
 /** The folders of shaders, each with one of its techniques. */
 const FOLDERS = { adjacency: 'adjacency', lines: 'engraving', strokes: 'hatching', triangle: 'triangle' } as const;
 
-/** The shaders of a technique, with the part that it needs. */
-async function shadersOf(technique: HatchingTechnique): Promise<Shaders> {
-  return hatchingShaders(technique, (await fetchPart(partNameOf(technique))).files);
+/** The shaders of a technique, with the part that it needs, with or without a hand. */
+async function shadersWith(technique: HatchingTechnique, hand: object | null): Promise<Shaders> {
+  return hatchingShaders(technique, (await fetchPart(partNameOf(technique, hand))).files);
 }
+
+const shadersOf = (technique: HatchingTechnique): Promise<Shaders> => shadersWith(technique, null);
 
 const files = readdirSync('shaders', { recursive: true, withFileTypes: true })
   .filter((entry) => entry.isFile())
@@ -61,7 +63,7 @@ describe('the shaders', () => {
   });
 
   test('no file lies there for nothing', async () => {
-    const ofLooks = names.map(shadersOf);
+    const ofLooks = [...names.map(shadersOf), shadersWith('pen', {})];
     const ground = new HatchingShadowMaterial({ technique: 'pen' });
     await ground.ready;
     const all = [

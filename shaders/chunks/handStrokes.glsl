@@ -1,0 +1,166 @@
+// Whole strokes of a hand. The level sets of a function are rows, another function tells the place along a row, and a row is divided into
+// cells of one stroke each. A stroke is stored as its offset from the row and its width at steady steps along it.
+#include "lineCoverage"
+#include "technique/lineSpacing"
+#include "technique/strokeLengths"
+#include "technique/strokeHashes"
+
+// Each stroke: its offset across the row, and half of its width, in distances between rows. The last rows of the texture say how tones are
+// drawn: the share of strokes that are there, and what is added to their half widths.
+uniform sampler2D handStrokes;
+uniform vec4 handReach; // number of strokes, greatest offset and half width, and the share of a cell that the longest stroke fills
+uniform float handShorter; // how much shorter strokes may be than the longest, as a share
+
+// The cells of a family's rows.
+struct Cells {
+  vec2 places; // two coordinates along the rows, in tiles
+  float share; // of the first coordinate
+  float repeat; // places after which cells repeat across a seam of the bake
+  float period; // length of a cell
+  float paired; // share of the pairs of cells that hold one stroke together
+  float longest; // part of such a pair that its stroke may fill
+  float perPixel; // change of the places from one pixel to the next, on a surface that faces the viewer
+};
+
+bool isFirst(const in HatchingParameters h, const in Family family) {
+  #ifdef FOLLOWS_FORM
+    return family.value == h.values.x;
+  #else
+    return family.value == h.value;
+  #endif // FOLLOWS_FORM
+}
+
+Cells cellsFor(const in HatchingParameters h, const in Family family) {
+  Cells cells;
+  // The length of a stroke does not depend on the slant at which it is seen, so that no stroke is cut where the form turns away.
+  float tilesPerPixel = vViewUnitsPerPixel * length((objectToField * readViewToAnchor())[0]);
+  #ifdef FOLLOWS_FORM
+    bool alongCrossing = isFirst(h, family);
+    float rise = alongCrossing ? h.rises.y : h.rises.x;
+    cells.places = vec2(alongCrossing ? h.values.y : h.values.x);
+    cells.share = 1.0;
+    cells.repeat = powerOf2(alongCrossing ? h.coarsest.y : h.coarsest.x);
+  #else
+    float rise = AXIS_RISE;
+    Along along = alongLines(h, family);
+    cells.places = along.places;
+    cells.share = along.share;
+    cells.repeat = ROW_SHIFT;
+  #endif // FOLLOWS_FORM
+  cells.perPixel = max(tilesPerPixel * rise, 1e-12);
+  float octave = mix(octaves(strokeLength / PARTS_OF_TILE * rise), octaves(strokeLength * cells.perPixel), screenSpaceShare);
+  cells.period = powerOf2(floor(octave));
+  // Strokes of one cell and of two have the wanted length in the mean.
+  float wanted = clamp(powerOf2(octave) / cells.period, 1.0, 2.0);
+  float most = min(LONGEST_IN_PAIR * wanted, 2.0);
+  cells.paired = 2.0 * (wanted - 1.0) / (most + wanted - 2.0);
+  cells.longest = 0.5 * most;
+  return cells;
+}
+
+// The rank below which strokes are there if a given share of them is, and the range over which they grow: few strokes are whole too.
+vec2 bornBelow(const in float share) {
+  float few = share / (1.0 - 0.5 * GROWING);
+  if (few * GROWING < GROWTH) return vec2(few, max(few * GROWING, 1e-6));
+  float most = share + 0.5 * GROWTH;
+  return vec2(most <= 1.0 ? most : 1.0 + GROWTH - sqrt(max(2.0 * GROWTH * (1.0 - share), 0.0)), GROWTH);
+}
+
+// A row as a pixel sees it.
+struct Row {
+  float away; // signed distance from it, in distances between rows
+  float way; // −1 where rows are numbered, and run, the other way
+  float hash, turn;
+  uint bits;
+  vec2 born; // rank below which its strokes are there, and the range of ranks over which they grow
+};
+
+// The number of a cell among those of a row that differ: the same on both sides of a seam, unless a cell is longer than what the seam
+// repeats after.
+float numberOfCell(const in float cell, const in float repeat) {
+  #ifdef FOLLOWS_FORM
+    return repeat > 1.0 ? cell - repeat * floor(cell / repeat) : cell;
+  #else
+    return cell;
+  #endif // FOLLOWS_FORM
+}
+
+// The share of a pixel that the strokes of a row cover. place, share: of one of the coordinates along the row. spacing: pixels.
+float strokeCoverage(
+  const in Row row, const in Cells cells, const in float place, const in float share, const in float isDark, const in float widening,
+  const in float spacing
+) {
+  // Rows are shifted by chance: any rule would show where their strokes end.
+  float x = (row.way * place + strokeHash01(row.bits, 0.0) * cells.repeat) / cells.period;
+  float most = cells.repeat / cells.period;
+  float pair = floor(0.5 * x);
+  // Each pair of strokes gives way to one twice as long at a moment of its own.
+  float moment = strokeHash01(row.bits ^ SECOND_FACTOR, numberOfCell(pair, 0.5 * most));
+  float turned = (cells.paired * (1.0 + PAIR_TURN) - moment) / PAIR_TURN;
+  bool isPair = turned > 0.5;
+  float there = clamp(isPair ? 2.0 * turned - 1.0 : 1.0 - 2.0 * turned, 0.0, 1.0);
+  float cell = isPair ? pair : floor(x);
+  float inCell = isPair ? 0.5 * x - pair : x - cell;
+  float number = numberOfCell(cell, isPair ? 0.5 * most : most);
+  float chance = strokeHash01(row.bits, number);
+  // Ranks are spread evenly over a surface: the first strokes lie on one of three neighbouring rows.
+  float rank = fract(row.turn + strokeHash01(uint(row.hash * 16777216.0) << 8u, number) / 3.0);
+  there = min(there, (row.born.x - rank) / row.born.y);
+  there = min(there, ((1.0 + AXIS_TURN) * share - fract(AXIS_HASH * chance)) / AXIS_TURN);
+  if (!(there > 0.0)) return 0.0;
+  float size = handReach.w * (1.0 - handShorter * fract(SIZE_HASH * chance)) * (isPair ? cells.longest : 1.0);
+  // A stroke that is not there in full is shorter, and ends as the hand ends it.
+  float t = 0.5 + ((inCell - (1.0 - size) * fract(START_HASH * chance)) / size - 0.5) / there;
+  if (!(t > 0.0 && t < 1.0)) return 0.0;
+  float chosen = mix(0.5 * isDark, 1.0, rank) * (1.0 - SHAPES_OF_RANK) + SHAPES_OF_RANK * fract(SHAPE_HASH * chance);
+  float shape = min(floor(handReach.x * chosen), handReach.x - 1.0);
+  vec2 stroke = textureLod(handStrokes, vec2((t * (PLACES - 1.0) + 0.5) / PLACES, (shape + 0.5) / HAND_ROWS), 0.0).rg;
+  float fromEnd = min(t, 1.0 - t);
+  float halfWidth = (stroke.g + widening * min(1.0, WIDENED_ENDS * fromEnd)) * min(1.0, there / WIDE_FROM);
+  float toEnd = fromEnd * there * size * (isPair ? 2.0 : 1.0) * cells.period / cells.perPixel;
+  return lineCoverage(spacing * abs(row.way * row.away - stroke.r), spacing * halfWidth, FRINGE) * clamp(toEnd + 0.5, 0.0, 1.0);
+}
+
+// The darkness of a family.
+float ruledLines(const in HatchingParameters h, const in Family family, const in float tone) {
+  float trianglePerPixel = trianglePerPixelOf(family);
+  float octave = min(octaveOf(family, trianglePerPixel), family.coarsest);
+  float period = powerOf2(ceil(octave));
+  float spacing = powerOf2(octave) / trianglePerPixel; // mean distance of rows, pixels
+  float apart = period / powerOf2(octave); // distance of old rows, in mean distances
+  // Of the young rows, half way between the old ones, as many strokes are there as keep the mean distance.
+  float young = clamp(apart - 1.0, 0.0, 1.0);
+  Cells cells = cellsFor(h, family);
+  // Strokes fill less of their cells where pairs have given way to one: as if the tone were darker.
+  float filled = (1.0 - cells.paired * (1.0 - cells.longest)) * (1.0 - 0.5 * PAIR_TURN);
+  float wanted = 1.0 - pow(clamp(1.0 - tone, 0.0, 1.0), 1.0 / filled);
+  vec2 tones = vec2(wanted * (PLACES - 1.0) + 0.5, HAND_ROWS - TONE_ROWS + 0.5 + young * (TONE_ROWS - 1.0));
+  vec2 drawn = textureLod(handStrokes, tones / vec2(PLACES, HAND_ROWS), 0.0).rg;
+  float isDark = isFirst(h, family) ? 0.0 : 1.0;
+  vec2 bornOld = bornBelow(drawn.x);
+  vec2 bornYoung = bornBelow(young * drawn.x);
+  float x = family.value / period;
+  float reach = (handReach.y + handReach.z + drawn.y + FRINGE / spacing) / apart;
+  float first = ceil(2.0 * (x - reach));
+  float blank = 1.0;
+  for (int i = 0; i < MOST_ROWS; i++) {
+    float line = 0.5 * (first + float(i));
+    if (!(line <= x + reach)) break;
+    bool isYoung = fract(line) != 0.0;
+    if (isYoung && !(bornYoung.x > 0.0)) continue;
+    float number = numberOf(line * period, family);
+    #ifdef FOLLOWS_FORM
+      float way = number < 0.0 ? -1.0 : 1.0;
+    #else
+      float way = 1.0;
+    #endif // FOLLOWS_FORM
+    number = abs(number) == 0.0 ? 0.0 : way * number;
+    Row row = Row((x - line) * apart, way, hash01(number), turnOf(number), bitsOfLine(number), isYoung ? bornYoung : bornOld);
+    blank *= 1.0 - strokeCoverage(row, cells, cells.places.x, cells.share, isDark, drawn.y, spacing);
+    #ifndef FOLLOWS_FORM
+      if (cells.share < 1.0) blank *= 1.0 - strokeCoverage(row, cells, cells.places.y, 1.0 - cells.share, isDark, drawn.y, spacing);
+    #endif // FOLLOWS_FORM
+    if (!(blank > 0.0)) break;
+  }
+  return 1.0 - blank;
+}

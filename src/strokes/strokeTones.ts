@@ -1,0 +1,102 @@
+import { HAND_STROKE_CONSTANTS, HAND_TEXTURE } from './handConstants.js';
+
+const { PLACES } = HAND_TEXTURE;
+const { WIDENED_ENDS } = HAND_STROKE_CONSTANTS;
+
+/** How strokes in rows draw a tone. */
+export interface DrawnTone {
+  /** The share of the strokes that are there. */
+  share: number;
+  /** What is added to their half widths, in distances between rows: 0 until all are there. The ends of a stroke stay pointed. */
+  widening: number;
+}
+
+/** Cells across a row in which the ink of strokes is counted, per distance between rows, and how far they reach to each side. */
+const FINENESS = 64;
+const REACH = 4;
+const CELLS = 2 * REACH * FINENESS;
+
+/** Places between two rows at which a tone is computed. */
+const PHASES = 16;
+
+/** Widths, and shares of strokes, whose tones are computed; others lie between them. */
+const WIDENINGS = 12;
+const SHARES = 12;
+
+/**
+ * How to draw `PLACES` tones from 0 to 1: strokes become more until all are there, and then wider. The tone is that of strokes which are
+ * there independently of each other, one in each cell of a row, over rows that a point may lie on.
+ *
+ * @param strokes offset and half width at steady steps along each stroke, in distances between rows
+ * @param filled the mean share of a cell that its stroke fills
+ * @param widest the greatest widening
+ * @param youngRows the number of shares of the young rows, from 0 to 1, for which tones are computed
+ */
+export function drawnTones(
+  strokes: Float32Array,
+  filled: number,
+  widest: number,
+  youngRows: number,
+): readonly (readonly DrawnTone[])[] {
+  const widenings = Array.from({ length: WIDENINGS }, (_, i) => (widest * i) / (WIDENINGS - 1));
+  const covers = widenings.map((widening) => coverAcross(strokes, filled, widening));
+  const shares = Array.from({ length: SHARES }, (_, i) => i / SHARES);
+  // First of few strokes, then of all that there are, ever wider.
+  const drawn = [
+    ...shares.map((share) => ({ share, widening: 0 })),
+    ...widenings.map((widening) => ({ share: 1, widening })),
+  ];
+  return Array.from({ length: youngRows }, (_, row) => {
+    const young = row / (youngRows - 1);
+    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, young));
+    return Array.from({ length: PLACES }, (_, place) => drawnBetween(drawn, tones, place / (PLACES - 1)));
+  });
+}
+
+/** How a tone is drawn, between those that are known, which grow. */
+function drawnBetween(drawn: readonly DrawnTone[], tones: readonly number[], tone: number): DrawnTone {
+  const next = tones.findIndex((value) => value > tone);
+  if (next < 1) return drawn[next < 0 ? drawn.length - 1 : 0];
+  const part = (tone - tones[next - 1]) / (tones[next] - tones[next - 1]);
+  const [from, to] = [drawn[next - 1], drawn[next]];
+  return {
+    share: from.share + part * (to.share - from.share),
+    widening: from.widening + part * (to.widening - from.widening),
+  };
+}
+
+/** The share of the length of a row in which its strokes cover what lies at a distance to its side, by distance. */
+function coverAcross(strokes: Float32Array, filled: number, widening: number): Float32Array {
+  const steps = new Float64Array(CELLS + 1);
+  const cellOf = (distance: number): number => Math.max(0, Math.min(CELLS, Math.round((distance + REACH) * FINENESS)));
+  for (let i = 0; i < strokes.length; i += 2) {
+    const place = ((i / 2) % PLACES) / (PLACES - 1);
+    const half = strokes[i + 1] + widening * Math.min(1, WIDENED_ENDS * Math.min(place, 1 - place));
+    steps[cellOf(strokes[i] - half)]++;
+    steps[cellOf(strokes[i] + half)]--;
+  }
+  const cover = new Float32Array(CELLS);
+  let count = 0;
+  for (let cell = 0; cell < CELLS; cell++) {
+    count += steps[cell];
+    cover[cell] = (filled * count) / (strokes.length / 2);
+  }
+  return cover;
+}
+
+/** The mean tone of rows, old ones 1 + young apart, with young ones between them of whose strokes that share is there. */
+function toneOf(cover: Float32Array, share: number, young: number): number {
+  const apart = 1 + young;
+  let blank = 0;
+  for (let phase = 0; phase < PHASES; phase++) {
+    const x = (apart * (phase + 0.5)) / PHASES;
+    let left = 1;
+    const most = Math.ceil((2 * REACH) / apart) + 1;
+    for (let half = -2 * most; half <= 2 * most; half++) {
+      const cell = Math.floor((x - 0.5 * half * apart + REACH) * FINENESS);
+      if (cell >= 0 && cell < CELLS) left *= 1 - share * (half % 2 === 0 ? 1 : young) * cover[cell];
+    }
+    blank += left;
+  }
+  return 1 - blank / PHASES;
+}

@@ -1,0 +1,180 @@
+import type { Page } from '@playwright/test';
+import { learnHand } from '../../src/strokes/hand/learnHand.js';
+import { drawSwatches } from '../../src/strokes/hands/drawSwatch.js';
+import { exampleHabits } from '../../src/strokes/hands/exampleHabits.js';
+import { expect } from '../browser/test.js';
+import { test } from './toolkitPage.js';
+
+/** Strokes of a hand in rows, on a plane of even tone: all that differs is the hand. */
+
+const SIDE = 384;
+
+/** Pixels to a millimetre of the sheet where a material gives no width. */
+const SCALE = 6;
+
+const names = Object.keys(exampleHabits) as (keyof typeof exampleHabits)[];
+const hands = Object.fromEntries(names.map((name) => [name, learnHand(drawSwatches(exampleHabits[name], 1))]));
+
+interface Drawn {
+  /** The darkness of each tone, in the order in which they were given. */
+  darkness: number[];
+  /** The lengths and areas of whole strokes in the first tone. */
+  pieces: { length: number; area: number }[];
+}
+
+/** Draws a plane that faces the camera in several tones. */
+const drawPlane = (page: Page, hand: object | null, tones: readonly number[], direction = 'x'): Promise<Drawn> =>
+  page.evaluate(
+    async ([hand, tones, direction, side]) => {
+      const { THREE, HatchingMaterial, makeRenderer, makeCamera, sceneOf, sun, wholePieces } = window.toolkit;
+      const material = new HatchingMaterial({
+        technique: 'pen',
+        direction,
+        hand,
+        screenSpaceShare: 1,
+        toneCurve: 'linear',
+        reflectedLight: 0,
+      } as object);
+      await material.ready;
+      const renderer = makeRenderer();
+      renderer.setSize(side, side, false);
+      const mesh = new THREE.Mesh(new THREE.PlaneGeometry(3, 3), material);
+      const shots = tones.map((tone) => {
+        const z = 1 - tone;
+        renderer.render(sceneOf(mesh, sun(Math.PI, [Math.sqrt(1 - z * z), 0, z])), makeCamera());
+        const gl = renderer.getContext();
+        const pixels = new Uint8Array(4 * side * side);
+        gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+        return Float32Array.from({ length: side * side }, (_, i) => 1 - pixels[4 * i] / 255);
+      });
+      const darkness = shots.map((shot) => shot.reduce((sum, value) => sum + value, 0) / shot.length);
+      const pieces = wholePieces(side, (i) => shots[0][i] > 0.35).map((piece) => {
+        const [xs, ys] = [piece.map((i) => i % side), piece.map((i) => Math.floor(i / side))];
+        const extent = (values: number[]): number => Math.max(...values) - Math.min(...values) + 1;
+        return { length: Math.hypot(extent(xs), extent(ys)), area: piece.length };
+      });
+      material.dispose();
+      return { darkness, pieces };
+    },
+    [hand, tones, direction, SIDE] as const,
+  );
+
+/** The length up to which pieces have half of all ink. */
+function inkMedian(pieces: Drawn['pieces']): number {
+  const sorted = [...pieces].sort((a, b) => a.length - b.length);
+  const half = 0.5 * sorted.reduce((sum, { area }) => sum + area, 0);
+  let sum = 0;
+  for (const { length, area } of sorted) {
+    sum += area;
+    if (sum >= half) return length;
+  }
+  return 0;
+}
+
+for (const name of names) {
+  test(`strokes of a hand are whole, and make the tone: ${name}`, async ({ page }) => {
+    const tones = [0.08, 0.03, 0.25, 0.4, 0.55, 0.7, 0.85, 0.95];
+    const { darkness, pieces } = await drawPlane(page, hands[name], tones);
+    const ratio = inkMedian(pieces) / (SCALE * hands[name].numbers.length);
+    const measured = `${ratio.toFixed(2)} of the drawn length; ${darkness.map((d) => d.toFixed(3)).join(', ')}`;
+    test.info().annotations.push({ type: 'measured', description: measured });
+    for (const [i, tone] of tones.entries())
+      expect(Math.abs(darkness[i] - tone), `${tone} of ${measured}`).toBeLessThan(0.03);
+    expect(ratio, measured).toBeGreaterThan(0.7);
+  });
+}
+
+test('another hand is drawn with the same program and the same texture, and null draws the strokes of the pen', async ({
+  page,
+}) => {
+  const { programs, textures, shots, before } = await page.evaluate(
+    async ([brush, ruled]) => {
+      const { THREE, HatchingMaterial, makeRenderer, pixelsOf, sceneOf, sun } = window.toolkit;
+      const pen = { technique: 'pen', direction: 'x', screenSpaceShare: 1 } as const;
+      const material = new HatchingMaterial({ ...pen, hand: brush });
+      await material.ready;
+      const renderer = makeRenderer();
+      const scene = sceneOf(new THREE.Mesh(new THREE.PlaneGeometry(3, 3), material), sun(Math.PI, [1, 0, 0.5]));
+      const shots = [pixelsOf(scene, renderer)];
+      const { programs, memory } = renderer.info;
+      const before = { programs: programs!.length, textures: memory.textures };
+      material.hand = { ...ruled };
+      shots.push(pixelsOf(scene, renderer));
+      const after = { programs: programs!.length, textures: memory.textures };
+      material.hand = null;
+      shots.push(pixelsOf(scene, renderer));
+      material.technique = 'pen';
+      const plain = new HatchingMaterial(pen);
+      shots.push(
+        pixelsOf(sceneOf(new THREE.Mesh(new THREE.PlaneGeometry(3, 3), plain), sun(Math.PI, [1, 0, 0.5])), renderer),
+      );
+      material.dispose();
+      return { ...after, shots, before };
+    },
+    [hands.brush, hands.ruled] as const,
+  );
+  expect({ programs, textures }).toEqual(before);
+  const differing = (a: number[], b: number[]): number =>
+    a.filter((value, i) => Math.abs(value - b[i]) > 64).length / a.length;
+  expect(differing(shots[0], shots[1])).toBeGreaterThan(0.1);
+  expect(differing(shots[1], shots[2])).toBeGreaterThan(0.1);
+  expect(shots[2]).toEqual(shots[3]);
+});
+
+test('a hand with a fault is refused, and the last one stays', async ({ page }) => {
+  const { messages, stays } = await page.evaluate(async (hand) => {
+    const { HatchingMaterial } = window.toolkit;
+    const material = new HatchingMaterial({ technique: 'pen', hand });
+    await material.ready;
+    const faults = [
+      { ...hand, version: 2 },
+      { ...hand, strokes: [] },
+      { ...hand, strokes: [{ points: [0, 0, 0, 0], widths: [1, 1] }] },
+      { ...hand, numbers: { ...hand.numbers, width: Number.NaN } },
+    ];
+    const messages = faults.map((fault) => {
+      try {
+        material.hand = fault as typeof hand;
+        return 'no error';
+      } catch (error) {
+        return String(error);
+      }
+    });
+    return {
+      messages,
+      stays: material.hand === material.clone().hand && material.hand?.numbers.width === hand.numbers.width,
+    };
+  }, hands.brush);
+  for (const message of messages) expect(message).toMatch(/^(TypeError|RangeError): HatchingMaterial.*\.$/);
+  expect(stays).toBe(true);
+});
+
+test('strokes of a hand end on degenerate surfaces', async ({ page }) => {
+  const darkness = await page.evaluate(async (hand) => {
+    const { THREE, HatchingMaterial, makeRenderer, pixelsOf, prepareHatchingGeometry, sceneOf, sun } = window.toolkit;
+    const renderer = makeRenderer();
+    const sums: number[] = [];
+    for (const direction of ['x', 'light', 'form'] as const) {
+      const material = new HatchingMaterial({ technique: 'pen', direction, hand, screenSpaceShare: 1 });
+      await material.ready;
+      for (const [name, value] of [
+        ['normal', 0],
+        ['normal', Number.NaN],
+        ['position', 0],
+        ['formSlope', 0],
+      ] as const) {
+        const geometry = await prepareHatchingGeometry(new THREE.SphereGeometry(1.2, 12, 8), { form: true });
+        const attribute = geometry.getAttribute(name);
+        // Every third vertex: triangles lose their normal, their area or their function.
+        for (let i = 0; i < attribute.count; i += 3)
+          for (let k = 0; k < attribute.itemSize; k++) attribute.setComponent(i, k, value);
+        const pixels = pixelsOf(sceneOf(new THREE.Mesh(geometry, material), sun()), renderer);
+        sums.push(pixels.reduce((sum, pixel) => sum + pixel, 0));
+      }
+      material.dispose();
+    }
+    return sums;
+  }, hands.brush);
+  expect(darkness).toHaveLength(12);
+  for (const sum of darkness) expect(sum).toBeGreaterThan(0);
+});
