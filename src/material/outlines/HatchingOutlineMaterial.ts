@@ -154,7 +154,8 @@ export class HatchingOutlineMaterial extends ShaderMaterial {
   /**
    * Whether lines are drawn along which the surface cuts those of other meshes of the scene whose outlines have it true too, and along
    * which the parts of a mesh that are not connected cut each other. They are computed in the worker, once for two meshes that do not move
-   * towards each other, and appear some frames later: the scene dispatches an event of the type `'intersections'` then. Default false.
+   * towards each other, and appear some frames later: the scene dispatches an event of the type `'intersections'` then. Meanwhile, and
+   * between instances and meshes that deform, they are drawn as far as the screen shows them. Default false.
    */
   declare intersections: boolean;
 

@@ -15,6 +15,7 @@ import { fetchDeformations, fetchedDeformations } from '../deformation/laterDefo
 import { warnOfRenderer } from '../diagnostics/warn.js';
 import { forgetClipping } from '../three/clipping.js';
 import { HatchingOutlineMaterial, type HatchingOutlineParameters } from './HatchingOutlineMaterial.js';
+import { drawMovingLines } from './loadIntersections.js';
 import { fadingLookOf, MeshOutlines, meanScale, NO_PARTS } from './MeshOutlines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import { type SceneDepth, sceneDepthOf } from './SceneDepth.js';
@@ -156,8 +157,9 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineMaterial> {
       this.drawHidden(renderer, scene, camera, drawn[i]);
       this.endSurface();
     }
-    this.drawn = NO_PARTS;
     this.hideInstances();
+    if (drawn.length > 0) drawMovingLines(this, renderer, scene, camera);
+    this.drawn = NO_PARTS;
     this.moveToCentre();
   };
 

@@ -10,10 +10,8 @@ import {
 import { paddedWords } from '../../mesh/bake/pullLayout.js';
 import { OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
+import { areEqual } from './NumberedPart.js';
 import type { OutlinePart } from './OutlineParts.js';
-
-/** The greatest difference of numbers of two matrices that count as equal, as a share of the largest: rounding of a chain of matrices. */
-const ROUNDING = 1e-6;
 
 /** The lines of a pair of meshes, in the space of the first, which holds them. */
 interface MeetingPair {
@@ -36,17 +34,6 @@ const relative = /* @__PURE__ */ new Matrix4();
 /** Computes the matrix from the space of one mesh to that of another. */
 export const relativeTo = (other: Mesh, mesh: Mesh, into: Matrix4): Matrix4 =>
   into.copy(mesh.matrixWorld).invert().multiply(other.matrixWorld);
-
-/** Whether two matrices are equal up to rounding. */
-function areEqual(a: Matrix4, b: Matrix4): boolean {
-  let largest = 0;
-  let difference = 0;
-  for (let i = 0; i < 16; i++) {
-    largest = Math.max(largest, Math.abs(a.elements[i]));
-    difference = Math.max(difference, Math.abs(a.elements[i] - b.elements[i]));
-  }
-  return difference <= ROUNDING * largest;
-}
 
 /** Whether a mesh and all above it are visible. */
 function isShown(mesh: Mesh): boolean {

@@ -1,12 +1,13 @@
-import { Box3, type Material, Matrix4, type Mesh, type Object3D } from 'three';
+import { Box3, type Camera, Matrix4, type Mesh, type Object3D, type Scene, type WebGLRenderer } from 'three';
 import type { PackedSurface } from '../../mesh/intersections/intersectOutlines.js';
 import { MOST_TRIANGLES, pairsOf } from '../../mesh/intersections/pairsOf.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
-import { deforms } from '../deformation/canDeform.js';
 import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
 import { MeetingLines, type NewPart, relativeTo } from './MeetingLines.js';
+import type { DrawnOutlines } from './MovingLines.js';
+import { hasHoles, isLoose, NumberedPart, numberParts } from './NumberedPart.js';
 import type { OutlinePart } from './OutlineParts.js';
 
 /** How long meshes rest before the lines between them are computed, milliseconds. */
@@ -17,6 +18,7 @@ interface Member {
   readonly lines: MeetingLines;
   /** The matrix of the mesh. */
   readonly matrix: Matrix4;
+  readonly part: NumberedPart;
   data: OutlineData | undefined;
 }
 
@@ -26,15 +28,18 @@ interface Searched {
   mesh: Mesh;
   data: OutlineData;
   lines: MeetingLines;
+  part: NumberedPart;
 }
 
 /** The lines along which the meshes of one scene cut each other. They are computed once the meshes rest, and kept while they move together. */
 class SceneIntersections {
+  /** The members as the map of parts knows them. */
+  parts: readonly NumberedPart[] = [];
   private readonly members = new Map<IntersectingOutlines, Member>();
   private timer: ReturnType<typeof setTimeout> | undefined;
   private search: Promise<void> | null = null;
 
-  constructor(private readonly root: Object3D) {}
+  constructor(readonly root: Object3D) {}
 
   /** Notes where a mesh is. Allocates nothing while it rests. */
   note(outlines: IntersectingOutlines): Member {
@@ -42,10 +47,11 @@ class SceneIntersections {
     const data = outlineDataOf(geometry);
     const known = this.members.get(outlines);
     if (known && known.data === data && known.matrix.equals(matrixWorld)) return known;
-    const member = known ?? { lines: linesOf(outlines), matrix: new Matrix4(), data };
+    const member = known ?? { lines: linesOf(outlines), matrix: new Matrix4(), part: new NumberedPart(outlines), data };
     member.matrix.copy(matrixWorld);
     member.data = data;
     this.members.set(outlines, member);
+    if (!known) this.parts = [...this.parts, member.part];
     clearTimeout(this.timer);
     this.timer = setTimeout(this.searchSoon, REST);
     return member;
@@ -69,6 +75,12 @@ class SceneIntersections {
 
   private async find(options: TaskOptions): Promise<void> {
     const searched = this.searched();
+    const places = searched.map(({ mesh }) => mesh.matrixWorld.clone());
+    await this.findBetween(searched, options);
+    for (const [i, { part, data }] of searched.entries()) part.noteSearch(places[i], data);
+  }
+
+  private async findBetween(searched: readonly Searched[], options: TaskOptions): Promise<void> {
     const pairs = pairsOf(searched.map(({ mesh }) => boxOf(mesh))).filter(
       ([first, second]) => !searched[first].lines.knows(searched[second].outlines),
     );
@@ -107,9 +119,10 @@ class SceneIntersections {
       kept.add(outlines);
       const data = outlineDataOf(mesh.geometry);
       if (data && data.triangleCount <= MOST_TRIANGLES && wantsIntersections(outlines) && isRigid(mesh)) {
-        searched.push({ outlines, mesh, data, lines: member.lines });
+        searched.push({ outlines, mesh, data, lines: member.lines, part: member.part });
       }
     }
+    this.parts = [...this.members.values()].map(({ part }) => part);
     for (const { lines } of this.members.values()) lines.keepOnly(kept);
     return searched;
   }
@@ -142,13 +155,10 @@ function topOf(object: Object3D): Object3D {
   return top;
 }
 
-/** Whether parts of a surface may be discarded. */
-const hasHoles = ({ alphaHash, alphaTest }: Material): boolean => alphaHash || alphaTest > 0;
-
 /** Whether a mesh has one shape and one place, and is no picture cut out of cards. */
 function isRigid(mesh: Mesh): boolean {
-  const { geometry, material, matrixWorld } = mesh;
-  if ('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh || deforms(geometry, mesh)) return false;
+  const { material, matrixWorld } = mesh;
+  if ('isBatchedMesh' in mesh || isLoose(mesh)) return false;
   return matrixWorld.determinant() !== 0 && !(Array.isArray(material) ? material : [material]).every(hasHoles);
 }
 
@@ -177,6 +187,27 @@ export const withIntersections = (
   parts: readonly OutlinePart[],
   newPart: NewPart,
 ): readonly OutlinePart[] => sceneOf(topOf(outlines.mesh!)).note(outlines).lines.add(parts, newPart);
+
+/** What draws the lines between parts that move, once it is fetched. */
+let moving: typeof import('./MovingLines.js') | null = null;
+let isFetching = false;
+
+/** Draws the lines where the parts of a scene meet that move against each other. Fetches the code when the first ones do. */
+export function drawMoving(outlines: DrawnOutlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
+  const { parts, root } = sceneOf(topOf(outlines.mesh!));
+  if (moving) moving.drawMovingLines(outlines, parts, root, renderer, scene, camera);
+  else if (!isFetching && numberParts(parts, root) > 1) fetchMoving(root).catch(() => {});
+}
+
+async function fetchMoving(root: Object3D): Promise<void> {
+  isFetching = true;
+  try {
+    moving = await import('./MovingLines.js');
+    root.dispatchEvent({ type: 'intersections' } as never);
+  } finally {
+    isFetching = false;
+  }
+}
 
 /** Frees the lines of outlines. */
 export function forgetIntersections(outlines: IntersectingOutlines): void {

@@ -1,5 +1,7 @@
+import type { Camera, Scene, WebGLRenderer } from 'three';
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
 import type { NewPart } from './MeetingLines.js';
+import type { DrawnOutlines } from './MovingLines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import type * as SceneIntersections from './SceneIntersections.js';
 
@@ -27,6 +29,11 @@ export function drawnParts(
   if (waiting.size === 0) loadIntersections().catch(() => {});
   waiting.set(outlines, newPart);
   return parts;
+}
+
+/** Draws the lines between parts that move against each other, after the outlines of a mesh, if those want them. */
+export function drawMovingLines(outlines: DrawnOutlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
+  if (wantsIntersections(outlines)) loaded?.drawMoving(outlines, renderer, scene, camera);
 }
 
 /** Frees the lines where the mesh of outlines meets others. */

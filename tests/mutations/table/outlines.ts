@@ -15,8 +15,8 @@ export const outlines: readonly Mutation[] = [
   {
     name: 'panels that nearly touch have lines',
     file: 'src/mesh/intersections/joinSegments.ts',
-    find: 'sine < LEAST_SINE',
-    replace: 'sine < 0',
+    find: 'squaredSine(smoothA, smoothB) < LEAST_SINE ** 2',
+    replace: 'squaredSine(smoothA, smoothB) < 0',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/intersections/findIntersections.test.ts',
@@ -25,13 +25,35 @@ export const outlines: readonly Mutation[] = [
   },
   {
     name: 'lines where meshes meet stay where one of them has moved',
-    file: 'src/material/outlines/MeetingLines.ts',
+    file: 'src/material/outlines/NumberedPart.ts',
     find: 'difference <= ROUNDING * largest',
     replace: 'difference <= largest',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/outlines/intersections.test.ts',
       title: 'they stay while meshes move together',
+    },
+  },
+  {
+    name: 'panels that nearly touch have lines while they move',
+    file: 'shaders/meetings/meeting.frag',
+    find: '< LEAST_SINE) continue',
+    replace: '< 0.0) continue',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/outlineIntersections.spec.ts',
+      title: 'panels that nearly touch have no hairs while they move',
+    },
+  },
+  {
+    name: 'each part that moves counts as one that moves alone',
+    file: 'src/material/outlines/NumberedPart.ts',
+    find: 'if (leader) part.number = leader.number',
+    replace: 'if (leader && !leader) part.number = 0',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/outlines/numberParts.test.ts',
+      title: 'parts that rest share a number, and those that have moved together share another',
     },
   },
   {

@@ -5,6 +5,7 @@ import { deformationShaders } from '../../../../src/material/deformation/PrePass
 import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
 import { HatchingShadowMaterial } from '../../../../src/material/HatchingShadowMaterial.js';
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
+import { lineShaders, partShaders } from '../../../../src/material/outlines/MovingLines.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
 import { hatchingShaders, type Shaders } from '../../../../src/material/shaders/hatchingShaders.js';
 import { plainShaders } from '../../../../src/material/shaders/plainShaders.js';
@@ -70,6 +71,8 @@ describe('the shaders', () => {
       plainShaders(),
       deformationShaders(),
       outlineShaders(),
+      partShaders(),
+      lineShaders(outlineShaders()),
       backgroundShaders(),
       ground,
       ...(await Promise.all(ofLooks)),
