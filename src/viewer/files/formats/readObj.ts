@@ -21,18 +21,33 @@ export async function readObj(bytes: Uint8Array, findFile: FindFile): Promise<Lo
     return loader.parse(written);
   });
   nameRuns(root, written);
-  clamp(root, clampedMaterials(materials));
+  const made = materialsOf(root);
+  clamp(made, clampedMaterials(materials));
+  letPicturesCut(made);
   return { root, missing, notes: otherThanFaces(text, materials) };
 }
 
-/** Clamps the pictures of some materials. */
-function clamp(root: Object3D, names: ReadonlySet<string>): void {
-  if (names.size === 0) return;
+function materialsOf(root: Object3D): Set<MeshPhongMaterial> {
+  const found = new Set<MeshPhongMaterial>();
   root.traverse((object) => {
-    for (const material of [(object as Partial<Mesh>).material ?? []].flat() as MeshPhongMaterial[]) {
-      if (material.map && names.has(material.name)) material.map.wrapS = material.map.wrapT = ClampToEdgeWrapping;
-    }
+    for (const material of [(object as Partial<Mesh>).material ?? []].flat()) found.add(material as MeshPhongMaterial);
   });
+  return found;
+}
+
+/** Clamps the pictures of some materials. */
+function clamp(materials: Iterable<MeshPhongMaterial>, names: ReadonlySet<string>): void {
+  for (const { map, name } of materials) if (map && names.has(name)) map.wrapS = map.wrapT = ClampToEdgeWrapping;
+}
+
+/** Lets colour maps cut out surfaces by their alpha: many programs name no alpha map for leaves and grilles. */
+function letPicturesCut(materials: Iterable<MeshPhongMaterial>): void {
+  for (const material of materials) {
+    const { map, alphaMap, opacity, userData } = material;
+    if (!map || alphaMap || opacity < 1) continue;
+    material.alphaTest = 0.5;
+    userData.mayBeWhole = true;
+  }
 }
 
 /** The concatenated text of all material files, and the names of those that are missing. */

@@ -23,6 +23,8 @@ export interface WantedPicture {
   cutOut: number;
   /** Whether the surface is blended; if its picture is mostly half-transparent, it becomes see-through. */
   isBlended?: boolean;
+  /** Whether the file does not say that its picture cuts it out: one without clear edges between solid and clear parts does not. */
+  mayBeWhole?: boolean;
 }
 
 /** The image of a texture before loading: the location of the picture. */
@@ -149,19 +151,19 @@ export async function readMeshPictures(
   }
   const pictures: (MeshPicture | undefined)[] = [];
   const clear = new Set<number>();
-  for (const [i, { texture, mask: alphaMap, cutOut, isBlended }] of wanted.entries()) {
+  for (const [i, { texture, mask: alphaMap, cutOut, isBlended, mayBeWhole }] of wanted.entries()) {
     const { colors, mask } = sources[i];
     // A texture that serves as its own mask has no colours.
     const own = alphaMap === texture ? undefined : colors?.bitmap;
     const { isInverted } = alphaMap?.userData ?? {};
     const bitmap = (mask?.bitmap && (await masked(own, mask.bitmap, decodePicture, isInverted))) ?? colors?.bitmap;
-    const alpha = isBlended && bitmap && alphaOf(bitmap);
-    if (alpha && isHalfThere(alpha)) {
+    const alpha = (isBlended || mayBeWhole) && bitmap && alphaOf(bitmap);
+    if (alpha && isBlended && isHalfThere(alpha)) {
       clear.add(i);
       pictures.push(undefined);
       if (bitmap !== colors?.bitmap) bitmap.close();
     } else {
-      const isWhole = alpha && isOpaque(alpha);
+      const isWhole = mayBeWhole ? !alpha || isOpaque(alpha) || isHalfThere(alpha) : alpha && isOpaque(alpha);
       pictures.push(bitmap && { bitmap, wrapS: texture.wrapS, wrapT: texture.wrapT, cutOut: isWhole ? 0 : cutOut });
     }
   }

@@ -241,17 +241,25 @@ function pictureOf(
   const cutOut = material!.alphaTest;
   const mask = cutOut > 0 ? maskOf(material) : undefined;
   const isBlended = cutOut > 0 && material!.userData.isBlended === true;
-  const wanted = { texture, cutOut, ...(mask && { mask }), ...(isBlended && { isBlended }) };
+  const mayBeWhole = cutOut > 0 && material!.userData.mayBeWhole === true;
+  const wanted = {
+    texture,
+    cutOut,
+    ...(mask && { mask }),
+    ...(isBlended && { isBlended }),
+    ...(mayBeWhole && { mayBeWhole }),
+  };
   const key = pictureKey(wanted);
   const known = pictures.findIndex((picture) => pictureKey(picture) === key);
   return known === -1 ? pictures.push(wanted) - 1 : known;
 }
 
 /** A key for pictures that can share a texture. Offset and scale are written into texture coordinates. */
-function pictureKey({ texture, mask, cutOut, isBlended }: WantedPicture): string {
+function pictureKey({ texture, mask, cutOut, isBlended, mayBeWhole }: WantedPicture): string {
   const { flipY, wrapS, wrapT } = texture;
   const { isInverted } = mask?.userData ?? {};
-  return [linkOf(texture)?.url, mask && linkOf(mask)?.url, isInverted, flipY, wrapS, wrapT, cutOut, isBlended].join();
+  const urls = [linkOf(texture)?.url, mask && linkOf(mask)?.url];
+  return [...urls, isInverted, flipY, wrapS, wrapT, cutOut, isBlended, mayBeWhole].join();
 }
 
 /** The texture of a material: its colour map or, without one, its alpha map. */

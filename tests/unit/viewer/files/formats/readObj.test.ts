@@ -201,6 +201,9 @@ describe('OBJ with pictures', () => {
         'box.obj': texturedObj,
         'box.mtl': `newmtl blue\n${mtl}`,
         'wood.png': pngOf([10, 20, 30, 255], [40, 50, 60, 255]),
+        'leaf.png': pngOf([10, 20, 30, 0], [40, 50, 60, 255]),
+        'soft.png': pngOf([10, 20, 30, 90], [40, 50, 60, 160]),
+        'empty.png': pngOf([10, 20, 30, 0], [40, 50, 60, 0]),
         'light.png': pngOf([0, 0, 0, 255], [255, 255, 255, 255]),
         'clear.png': pngOf([255, 255, 255, 0], [255, 255, 255, 255], [255, 255, 255, 255], [255, 255, 255, 255]),
       };
@@ -217,6 +220,10 @@ describe('OBJ with pictures', () => {
     expect(await drawnWith('map_Kd wood.png\nmap_d clear.png')).toEqual([[10, 20, 30, 0, 40, 50, 60, 255], 0.5]);
     expect(await drawnWith('map_d light.png')).toEqual([[255, 255, 255, 0, 255, 255, 255, 255], 0.5]);
     expect(await drawnWith('map_Kd wood.png\nmap_d wood.png')).toEqual([[10, 20, 30, 255, 40, 50, 60, 255], 0]);
+    // Without an alpha map, only a colour map that is all or nothing cuts.
+    expect((await drawnWith('map_Kd leaf.png'))[1]).toBe(0.5);
+    expect((await drawnWith('map_Kd soft.png'))[1]).toBe(0);
+    expect((await drawnWith('map_Kd empty.png'))[1]).toBe(0);
   });
 
   test('pictures are judged by their headers, all together, before one is decoded', async () => {
