@@ -32,9 +32,10 @@ describe.each(exampleHandNames)('%s', (name) => {
   });
 
   test('the learnt numbers are those it was drawn with', () => {
-    const { length, taperEnd, curvature, crossing, skips, hooks }: PenHabits = exampleHabits[name];
+    const { length, taperEnd, curvature, crossing, skips, hooks, isZigzag }: PenHabits = exampleHabits[name];
     const { numbers } = hand;
-    expect(Math.abs(numbers.length / length - 1)).toBeLessThan(0.2);
+    // The turns of a zigzag are part of its strokes.
+    expect(Math.abs(numbers.length / length - 1)).toBeLessThan(isZigzag ? 0.3 : 0.2);
     // Strokes that run dry narrow towards their end in skips, and those with hooks bend there.
     if (!skips) expect(Math.abs(numbers.taperEnd - taperEnd)).toBeLessThan(0.15);
     if (!hooks) expect(Math.abs(numbers.curvature - curvature)).toBeLessThan(0.035);
