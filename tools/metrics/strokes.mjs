@@ -101,8 +101,8 @@ export async function measureStrokes(page, only = []) {
 
 /** The worst of all distances at each tone. @param {PicturedWholeness[]} pictures */
 const wholeOf = (hand, pictures) => {
-  const { byInk, plain, joined } = worstWhole(pictures);
-  return `${hand} ${byInk.toFixed(2)} (${plain.toFixed(2)}), joined ${joined.toFixed(2)}`;
+  const { byInk, plain, apart, joined } = worstWhole(pictures);
+  return `${hand} ${byInk.toFixed(2)} (${plain.toFixed(2)}), apart ${apart.toFixed(2)}, joined ${joined.toFixed(2)}`;
 };
 
 /** The smallest lengths of all pictures that show strokes, and the largest share that touch. @param {PicturedWholeness[]} pictures */
@@ -111,6 +111,7 @@ export function worstWhole(pictures) {
   return {
     byInk: Math.min(...shown.map(({ byInk }) => byInk)),
     plain: Math.min(...shown.map(({ plain }) => plain)),
+    apart: Math.min(...shown.map(({ apart }) => apart)),
     joined: Math.max(...shown.map(({ joined }) => joined)),
   };
 }
@@ -200,8 +201,9 @@ export function describeStrokes({ kind, whole, tones, motion, numbers }) {
   const models = Object.keys(whole);
   const hands = Object.keys(whole[models[0]] ?? {});
   const wholeCell = (pictures) => {
-    const { byInk, plain, joined } = worstWhole(pictures);
-    return `${marked(byInk, byInk >= LIMITS.byInk)} (${marked(plain, plain >= LIMITS.plain)}), ${joined.toFixed(2)}`;
+    const { byInk, plain, apart, joined } = worstWhole(pictures);
+    const lengths = `${marked(byInk, byInk >= LIMITS.byInk)} (${marked(plain, plain >= LIMITS.plain)})`;
+    return `${lengths}, ${apart.toFixed(2)}, ${joined.toFixed(2)}`;
   };
   const surfaces = Object.keys(tones);
   const toned = Object.keys(tones[surfaces[0]] ?? {});
@@ -212,7 +214,7 @@ export function describeStrokes({ kind, whole, tones, motion, numbers }) {
 Example hands, drawn ${kind === 'rows' ? 'whole, in rows' : 'from maps'}, with strokes 2.4 pixels wide, without antialiasing.
 
 **Whole.** Pieces of ink at the tones 0.1 and 0.25, from three distances: the length along the centre line that the middle of the ink has, of that
-with which strokes were drawn, in brackets the median of all pieces, and the share of ink in pieces of twice that length, where strokes touch.
+with which strokes were drawn, in brackets the median of all pieces; then the first without pieces longer than two strokes, in which strokes touch, and the share of ink in those.
 Each is the worst of six pictures of 900 pixels. Pieces whose middle is within one length of a silhouette are left out. Required: ≥ ${LIMITS.byInk} (≥ ${LIMITS.plain}).
 
 ${table(

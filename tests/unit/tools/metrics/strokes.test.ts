@@ -69,14 +69,20 @@ describe('wholeness', () => {
   const line = (length: number, ink = length, middle = 0) => ({ length, ink, middle });
 
   it('is 1 for whole strokes, and a third for strokes in thirds', () => {
-    expect(wholeness([line(30), line(30)], 30, undefined)).toEqual({ strokes: 2, byInk: 1, plain: 1, joined: 0 });
+    expect(wholeness([line(30), line(30)], 30, undefined)).toEqual({
+      strokes: 2,
+      byInk: 1,
+      plain: 1,
+      apart: 1,
+      joined: 0,
+    });
     const cut = wholeness([line(10), line(10), line(10)], 30, undefined);
     expect([cut.byInk, cut.plain]).toEqual([1 / 3, 1 / 3]);
   });
 
   it('weighs by ink, and says how much of it touches', () => {
-    const { byInk, plain, joined } = wholeness([line(5), line(5), line(5), line(40), line(100)], 40, undefined);
-    expect([byInk, plain]).toEqual([2.5, 0.125]);
+    const { byInk, plain, apart, joined } = wholeness([line(5), line(5), line(5), line(40), line(100)], 40, undefined);
+    expect([byInk, plain, apart]).toEqual([2.5, 0.125, 1]);
     expect(joined).toBeCloseTo(100 / 155);
   });
 
@@ -160,7 +166,7 @@ const numbers = { length: 10, lengthSpread: 0, curvature: 0, taperStart: 0, tape
 const spacings = { wobble: 0, angleSpread: 3, spacing: 1, spacingSpread: 0.2, clustering: 0, overlap: 0 };
 const sheet = { ...numbers, ...spacings, crossingAngle: 0, crossingFrom: 1 };
 const pictured = (byInk: number, plain: number, strokes = 30) => ({
-  ...{ byInk, plain, strokes, joined: 0, tone: 0.1, nearness: 1 },
+  ...{ byInk, plain, strokes, apart: byInk, joined: 0, tone: 0.1, nearness: 1 },
 });
 const moved = (change: number) => ({ change, popping: 1 });
 const motion = (change: number) => ({ zoom: moved(change), camera: moved(change), light: moved(change) });
@@ -177,7 +183,7 @@ const measured = {
 describe('the strokes of hands', () => {
   it('are as required where nothing is missed; pictures of few strokes say nothing', () => {
     expect(missedStrokes(measured)).toEqual([]);
-    expect(worstWhole(measured.whole.sphere.brush)).toEqual({ byInk: 0.85, plain: 0.65, joined: 0 });
+    expect(worstWhole(measured.whole.sphere.brush)).toEqual({ byInk: 0.85, plain: 0.65, apart: 0.85, joined: 0 });
   });
 
   it('are named with what each misses', () => {
@@ -203,7 +209,7 @@ describe('the strokes of hands', () => {
     const once = withStrokes(page, measured);
     expect(once).toMatch(/^# Measured\n\nText\.\n\n## Strokes of hands\n/);
     expect(once).toMatch(/\n\n## Drawings as lines\n\nLines\.\n$/);
-    expect(once).toContain('| brush | 0.85 (0.65), 0.00 |');
+    expect(once).toContain('| brush | 0.85 (0.65), 0.85, 0.00 |');
     expect(withStrokes(once, measured)).toBe(once);
   });
 });
