@@ -1,6 +1,6 @@
 import { type Object3D, type PerspectiveCamera, type Scene, Vector3, WebGLRenderer } from 'three';
 import { GpuClock } from './GpuClock.js';
-import { litScene } from './litScene.js';
+import { castShadow, litScene } from './litScene.js';
 
 const UP = new Vector3(0, 1, 0);
 
@@ -30,14 +30,9 @@ export class Stage {
     this.scene = scene;
     this.camera = camera;
     if (hasShadows) {
-      this.renderer.shadowMap.enabled = true;
+      castShadow(this.renderer, sun);
       this.renderer.shadowMap.autoUpdate = false;
       this.renderer.shadowMap.needsUpdate = true;
-      sun.castShadow = true;
-      sun.shadow.mapSize.setScalar(1024);
-      Object.assign(sun.shadow.camera, { left: -1.5, right: 1.5, top: 1.5, bottom: -1.5, near: 0.1, far: 5 });
-      sun.shadow.bias = -0.002;
-      sun.shadow.normalBias = 0.02;
     }
     this.renderer.setSize(size, size, false);
     document.body.append(this.renderer.domElement);

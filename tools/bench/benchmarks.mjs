@@ -11,6 +11,7 @@ import { media } from './media/media.mjs';
 import { memory } from './memory/memory.mjs';
 import { nodes } from './nodes/nodes.mjs';
 import { occlusion } from './occlusion/occlusion.mjs';
+import { presets } from './presets/presets.mjs';
 import { shadows } from './shadows/shadows.mjs';
 import { tam } from './tam/tam.mjs';
 import { upload } from './upload/upload.mjs';
@@ -21,6 +22,7 @@ import { vector } from './vector/vector.mjs';
  * a browser (`openBrowser`) to a result of plain data, and describes such a result in Markdown.
  */
 export const benchmarks = [
+  presets,
   frame,
   nodes,
   many,

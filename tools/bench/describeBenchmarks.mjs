@@ -7,6 +7,7 @@ import { drawFrameTimes } from './frame/drawFrameTimes.mjs';
 const RASTERISERS = ['gpu', 'swiftshader', 'llvmpipe'];
 
 const titles = {
+  presets: 'Presets',
   frame: 'Frames',
   nodes: 'Frames of WebGPURenderer',
   many: 'Many things',
@@ -28,6 +29,10 @@ const titles = {
 
 /** The meaning of the numbers of each benchmark. */
 const notes = {
+  presets: `What users meet: every preset as \`applyHatching\` makes it, and \`default\`, what it makes where none is named, beside three's \`MeshPhongMaterial\` and
+\`MeshLambertMaterial\` on the same meshes. A look is drawn in turn with both, every other turn backwards; ratios are taken within a turn, with their 95 % intervals.
+In its shadow: with outlines and a shadow map that the model throws on itself, beside Phong with that map. On a ground: its shadow on a \`HatchingShadowMaterial\` as
+well, beside three's \`ShadowMaterial\`. Script is that of \`renderer.render\` alone, on a canvas of 64 × 64 pixels, beyond Lambert's, by mesh and skin.`,
   frame: `Every technique is drawn on every layout that it can draw, and compared with three's \`MeshPhongMaterial\` on the geometry of the \`corner\` layout and
 on the plain indexed one, and with \`adjacency\`. All are drawn in turn in one page, every other turn backwards. A frame is timed from its first command until
 one of its pixels can be read. Ratios are taken within a turn; the tables have their medians with 95 % intervals, and the medians of times.

@@ -1,5 +1,5 @@
 /**
- * `npm run bench:guard`: compares two figures of the working tree with those of the commit that tools/bench/guardedCommit.txt names, as
+ * `npm run bench:guard`: compares three figures of the working tree with those of the commit that tools/bench/guardedCommit.txt names, as
  * `bench:compare` does. Says what has become slower, and ends with 1 only for what is far slower in two runs. Where the history does not
  * have that commit, nothing is compared.
  */
@@ -16,8 +16,8 @@ const EFFORT = { turns: 9, milliseconds: 0 };
 
 /** The measurements, each in its own page. */
 const FIGURES = {
-  'a frame of dragon48k, engraving': async (measure) =>
-    (await measure('comparedFrames', 'dragon48k', 'indexed', ['engraving'], EFFORT, 512)).engraving,
+  'a frame of dragon48k, no preset': (measure) => measure('comparedSurfaces', 'dragon48k', 'default', EFFORT, 512),
+  'a frame of dragon48k, pen': (measure) => measure('comparedSurfaces', 'dragon48k', 'pen', EFFORT, 512),
   'the bake of dragon202k, indexed': (measure) => measure('comparedBakes', 'dragon202k', 'indexed', EFFORT),
 };
 

@@ -5,6 +5,9 @@ const measures = {
   frames: async () => (await import('./frame/measureFrames.js')).measureFrames,
   nodes: async () => (await import('./nodes/measureNodes.js')).measureNodes,
   describeAdapter: async () => (await import('./nodes/describeAdapter.js')).describeAdapter,
+  lookNames: async () => (await import('./presets/lookOptions.js')).lookNames,
+  presets: async () => (await import('./presets/measurePresets.js')).measurePresets,
+  game: async () => (await import('./presets/measureGame.js')).measureGame,
   detail: async () => (await import('./detail/measureDetail.js')).measureDetail,
   lines: async () => (await import('./lines/measureLines.js')).measureLines,
   many: async () => (await import('./many/measureMany.js')).measureMany,
@@ -24,6 +27,7 @@ const measures = {
   map: async () => (await import('./tam/measureMap.js')).measureMap,
   comparedFrames: async () => (await import('./compare/compareFrames.js')).compareFrames,
   comparedLooks: async () => (await import('./compare/compareLooks.js')).compareLooks,
+  comparedSurfaces: async () => (await import('./compare/compareSurfaces.js')).compareSurfaces,
   comparedBakes: async () => (await import('./compare/compareBakes.js')).compareBakes,
   comparedMaps: async () => (await import('./compare/compareMaps.js')).compareMaps,
 };

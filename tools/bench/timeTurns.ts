@@ -1,12 +1,9 @@
-import type { Object3D } from 'three';
-import type { Stage } from './Stage.js';
-
 const WARM_UP_TURNS = 2;
 
 /** Milliseconds that a frame of each object takes, one per turn; all objects are drawn in every turn, so that a slow moment slows all of them. */
-export async function timeTurns(
-  stage: Pick<Stage, 'timeFrame'>,
-  objects: Readonly<Record<string, Object3D>>,
+export async function timeTurns<Drawn>(
+  stage: { timeFrame(drawn: Drawn): Promise<number> },
+  objects: Readonly<Record<string, Drawn>>,
   turns: number,
 ): Promise<Record<string, number[]>> {
   const order = Object.keys(objects);

@@ -12,7 +12,17 @@ interface Kept {
 }
 
 const LISTS: Record<string, Kept> = {
-  presets: { names: Object.keys(presets), homes: ['src/scene/presets.ts'] },
+  presets: {
+    names: Object.keys(presets),
+    homes: [
+      'src/scene/presets.ts',
+      // What was measured of each.
+      'tools/bench/results/presets.gpu.json',
+      'tools/bench/results/presets.llvmpipe.json',
+      'tools/bench/results/presets.swiftshader.json',
+      'tools/instructions/results.json',
+    ],
+  },
   techniques: {
     names: Object.keys(TECHNIQUES),
     homes: [

@@ -20,6 +20,7 @@ import {
   TonalArtMap,
 } from 'three-hatching';
 import { plainLook } from '../../plainLook.js';
+import { drawer } from '../drawer.js';
 
 /** Milliseconds of each way to draw, one entry per turn: the script of a frame alone, and the frame until a pixel can be read. */
 export interface ManyTimes {
@@ -147,17 +148,4 @@ function instancesOf(geometry: BufferGeometry, { material }: Look, places: reado
   const mesh = new InstancedMesh(geometry, material, places.length);
   for (const [i, place] of places.entries()) mesh.setMatrixAt(i, place);
   return mesh;
-}
-
-/** Draws a scene, and tells how long the script took, and the whole frame. */
-function drawer(renderer: WebGLRenderer, camera: PerspectiveCamera) {
-  const gl = renderer.getContext();
-  const pixel = new Uint8Array(4);
-  return (scene: Scene): { script: number; frame: number } => {
-    const start = performance.now();
-    renderer.render(scene, camera);
-    const script = performance.now() - start;
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-    return { script, frame: performance.now() - start };
-  };
 }
