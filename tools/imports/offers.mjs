@@ -6,6 +6,7 @@
 export const OFFERS = {
   mesh: [
     'corners.ts',
+    'disjointSets.ts',
     'parallelProjection.ts',
     'phases.ts',
     'runSliced.ts',
