@@ -124,7 +124,7 @@ export const FORMATS: readonly ModelFormat[] = [
   {
     name: 'DAE',
     extensions: ['dae'],
-    hasSignature: ({ head }) => /^\s*(<\?xml|<!--|<COLLADA)[\s\S]*<COLLADA\b/.test(head),
+    hasSignature: ({ head }) => /^\s*((<\?xml|<!--)[\s\S]*)?<COLLADA\b/.test(head),
     up: 'y',
     loader: { name: 'ColladaLoader', gives: 'scene' },
     read: async ({ bytes, name }) => (await import('./scenes/readCollada.js')).readCollada(bytes, name),
@@ -273,8 +273,8 @@ const FOREIGN: readonly [what: string, beginning: RegExp][] = [
   ['a Blender file', /^BLENDER/],
   ['a STEP file', /^ISO-10303-21/],
   ['a VRML file of version 1', /^#VRML V1|^#Inventor/],
-  ['an X3D file', /^\s*<[\s\S]*<X3D\b/],
-  ['an AMF file', /^\s*<[\s\S]*<amf\b/],
+  ['an X3D file', /^\s*(<[\s\S]*)?<X3D\b/],
+  ['an AMF file', /^\s*(<[\s\S]*)?<amf\b/],
 ];
 
 /** Other files that are often dropped by mistake, by signature. */

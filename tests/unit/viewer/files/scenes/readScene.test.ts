@@ -22,6 +22,7 @@ afterEach(() => vi.unstubAllGlobals());
 const formats: [name: string, content: Content, upAxis: string][] = [
   ['box.fbx', fbx(), 'y'],
   ['box.dae', dae(), 'y'],
+  ['box.dae', dae().replace(/^[\s\S]*?(?=<COLLADA)/, ''), 'y'],
   ['box.wrl', wrl(), 'y'],
   ['box.usda', usda(), 'y'],
   ['box.usdz', zip({ 'box.usda': usda() }, 0), 'y'],
@@ -204,6 +205,8 @@ describe('other files are called by their names', () => {
       '<?xml version="1.0"?><X3D>',
       'a.x3d is an X3D file, which this page does not read; save it as GLB, say.',
     ],
+    ['a.x3d', '<X3D>', 'a.x3d is an X3D file, which this page does not read; save it as GLB, say.'],
+    ['a.amf', '<amf unit="millimeter">', 'a.amf is an AMF file, which this page does not read; save it as GLB, say.'],
     ['a.svg', '<svg>', 'a.svg is an XML file, not a 3D model.'],
     ['a.fbx', fbx(6100), 'a.fbx is FBX version 6.1; this page reads version 7 and newer.'],
     ['a.fbx', fbx().replace('FBXVersion', 'Version'), 'a.fbx is damaged: it does not say its version.'],
