@@ -70,6 +70,7 @@ import { fadingAt } from './nodes/chunks/fading.js';
 import { paper, printedColor } from './nodes/chunks/ink.js';
 import { readFaceNormals } from './nodes/chunks/screenGradient.js';
 import { filledColor, localDarkness, shadedTone, unshadowedTone } from './nodes/chunks/tone.js';
+import { tonedSurface } from './tonedSurface.js';
 
 const NAME = 'HatchingNodeMaterial';
 const propertyNames = /* @__PURE__ */ Object.keys(HATCHING_PROPERTIES) as HatchingPropertyName[];
@@ -404,7 +405,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const { look, technique, drawnToneModel: toneModel } = this;
     const emitted = materialEmissive;
     const radiance = lit.radiance.add(lightLuminance(emitted)).toVar();
-    const surface = { ...lit, radiance, darkness: localDarkness(diffuseColor.xyz, emitted) };
+    const surface = { ...lit, radiance, darkness: localDarkness(tonedSurface(builder), emitted) };
     const rules = { toneModel, curve: curveOf(this.toneCurve) };
     const fading = fadingAt(positionView, pixelFromBelow()).toVar();
     const tone = shadedTone(surface, rules).mul(fading).toVar();

@@ -1,3 +1,8 @@
 import { testGroup } from './besideGlsl.js';
 
-testGroup('surfaces', ['a map of colours', 'planned values of a map', 'reflected light of a lamp and a sky']);
+testGroup('surfaces', [
+  'a map of colours',
+  'details of a map that are finer than lines',
+  'planned values of a map',
+  'reflected light of a lamp and a sky',
+]);

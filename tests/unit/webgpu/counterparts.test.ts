@@ -145,8 +145,6 @@ const OTHER_FUNCTIONS: Record<string, readonly string[]> = {
   // Only WebGLRenderer draws debug views.
   'techniques/lines/readCut.glsl': ['fieldUv'],
   'techniques/lines/readForm.glsl': ['fieldUv'],
-  // Nodes read maps as three.js samples them.
-  'chunks/localColor.glsl': ['tonedColor'],
   // Only the techniques of triangles read a single place.
   'chunks/thresholdMap.glsl': ['thresholdsAt', 'thresholdAt'],
   // Only the techniques of triangles average three rotations.
@@ -157,8 +155,6 @@ const OTHER_FUNCTIONS: Record<string, readonly string[]> = {
 
 /** Uniforms that one side lacks, by chunk. */
 const OTHER_UNIFORMS: Record<string, readonly string[]> = {
-  // Nodes read maps as three.js samples them.
-  'chunks/localColor.glsl': ['mapBlur'],
   // GLSL reads it in the chunk of the layout.
   'deformation.vert': ['triangleVertices'],
   // three.js' own uniform, which nodes read in sceneDepth; and only WebGPURenderer blends linear light on a canvas.
@@ -179,8 +175,6 @@ const OTHER_CONSTANTS: Record<string, readonly string[]> = {
   'chunks/shadowSearch.glsl': ['RINGS'],
   // A property of three.js' versions.
   'outlines/sceneDepth.glsl': ['REVERSES_FLOATS'],
-  // Nodes read maps as three.js samples them.
-  'chunks/localColor.glsl': ['OPAQUE_TEXEL'],
   // The sum of the three numbers of HASH_STEP.
   'techniques/strokes/simplexLattice.glsl': ['HASH_STEPS'],
 };

@@ -6,6 +6,7 @@ import {
   DoubleSide,
   Fog,
   HemisphereLight,
+  LinearMipmapLinearFilter,
   type Material,
   Mesh,
   OrthographicCamera,
@@ -34,6 +35,15 @@ function squares(texels: readonly number[]): DataTexture {
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.repeat.set(6, 3);
   texture.needsUpdate = true;
+  return texture;
+}
+
+/** Stripes of black and white that are narrower than lines. */
+function stripes(): DataTexture {
+  const texture = squares([0, 0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255, 255, 255, 255, 255]);
+  texture.repeat.set(300, 4);
+  texture.minFilter = LinearMipmapLinearFilter;
+  texture.generateMipmaps = true;
   return texture;
 }
 
@@ -78,6 +88,10 @@ export const cases: readonly SceneCase[] = [
   {
     name: 'planned values of a map',
     show: (kit) => drawn(kit, { map: colors(), composition: { exposure: 'fit' }, colorFill: 0, colorHatching: 0.8 }),
+  },
+  {
+    name: 'details of a map that are finer than lines',
+    show: (kit) => drawn(kit, { map: stripes(), composition: { exposure: 'fit' }, colorFill: 0, colorHatching: 0.8 }),
   },
   {
     name: 'holes of an alpha map',

@@ -47,6 +47,8 @@ export interface TextureValue extends Value {
   load(texel: Value): Value;
   sample(coordinates: Value): TextureValue;
   level(level: Input): TextureValue;
+  /** The same texture, read so many levels coarser than the screen shows it. */
+  bias(levels: Input): TextureValue;
 }
 
 interface Branches {

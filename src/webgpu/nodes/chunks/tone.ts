@@ -5,12 +5,12 @@ import { TONE_CURVES } from '../../../material/shaders/defineNames.js';
 import type { ReceivedShadow } from '../base/lights.js';
 import { lightLuminance } from '../base/maths.js';
 import { hatchingElement, hatchingUniform } from '../base/uniforms.js';
-import { tsl, type Value } from '../base/values.js';
+import { type TextureValue, tsl, type Value } from '../base/values.js';
 import { hollowness } from './occlusion.js';
 import { shadowTone } from './softShadows.js';
 
 const { clamp, dot, float, floor, max, min, mix, pow, select, step, vec3 } = tsl;
-const { NO_LIGHT } = TONE_CONSTANTS;
+const { NO_LIGHT, OPAQUE_TEXEL } = TONE_CONSTANTS;
 
 /** The lighting of a surface at a fragment. */
 export interface HatchingSurface {
@@ -123,6 +123,7 @@ const colorExposure = /* @__PURE__ */ hatchingUniform('colorExposure', 'float');
 const colorFilter = /* @__PURE__ */ hatchingUniform('colorFilter', 'vec4');
 const valueKnots = /* @__PURE__ */ hatchingUniform('valueKnots', 'vec4');
 const valueBends = /* @__PURE__ */ hatchingUniform('valueBends', 'vec4');
+const mapBlur = /* @__PURE__ */ hatchingUniform('mapBlur', 'float');
 const colorFill = /* @__PURE__ */ hatchingUniform('colorFill', 'float');
 
 /** The darkness of a colour beside white, as far as it becomes tone. Emitted light lessens it. */
@@ -131,6 +132,18 @@ export function localDarkness(color: Value, emitted: Value): Value {
   const planned = dot(valueBends, max(valueKnots.sub(light), 0));
   const unlit = clamp(lightLuminance(emitted), 0, 1).oneMinus();
   return colorHatching.mul(mix(min(colorExposure.mul(light), 1).oneMinus(), planned, colorFilter.w)).mul(unlit);
+}
+
+/**
+ * The colour that becomes tone: a map without details that are finer than strokes can show; where it is cut out, as it is.
+ *
+ * @param plain the colour without the map
+ * @param map a texture node of the map, at its place
+ */
+export function tonedColor(plain: Value, seen: Value, map: TextureValue): Value {
+  const coarse = map.bias(mapBlur).toVar();
+  const isCoarse = mapBlur.greaterThan(0).and(coarse.w.greaterThanEqual(OPAQUE_TEXEL));
+  return select(isCoarse, plain.mul(coarse.xyz), seen);
 }
 
 export const filledColor = (color: Value): Value => mix(vec3(1), color, colorFill);
