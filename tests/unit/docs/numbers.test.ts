@@ -124,6 +124,38 @@ describe('times are those of the benchmarks', () => {
     expect(numbersIn('docs/outlines.md', text)).toEqual([Math.min(...shares), Math.max(...shares)]);
   });
 
+  test('of instructions that a fragment executes', () => {
+    type Counts = Record<'intel' | 'amd', { executed: number }>;
+    const path = `${root}tools/instructions/results.json`;
+    const { cases }: { cases: Record<string, Counts> } = JSON.parse(readFileSync(path, 'utf8'));
+    const span = (look: string) =>
+      (['amd', 'intel'] as const)
+        .map((chip) => cases[look][chip].executed / cases.phong[chip].executed)
+        .sort((a, b) => a - b)
+        .map(Math.round);
+    expect(
+      numbersIn('README.md', /(\d+) to (\d+) times the instructions of Phong in .*?, (\d+) to (\d+) in `pen`/),
+    ).toEqual([...span('engraving'), ...span('pen')]);
+    expect(
+      numbersIn('docs/performance.md', /(\d+) to (\d+) times the instructions of Phong in .*?, (\d+) to (\d+) times/),
+    ).toEqual([...span('engraving'), ...span('default')]);
+  });
+
+  test('of script by mesh, with lines from mesh to mesh and with outlines', () => {
+    const scenes = ['gpu', 'swiftshader', 'llvmpipe'].map(
+      (rasteriser): Record<string, { microseconds: number }> => resultOf(`many.${rasteriser}`).scenes['1,000 meshes'],
+    );
+    const span = (times: readonly number[]) => [Math.min(...times), Math.max(...times)].map((time) => rounded(time, 1));
+    const alone = scenes.flatMap((looks) =>
+      ['hatching', 'engraving', 'pen', 'pencil'].map((look) => looks[look].microseconds),
+    );
+    const joined = scenes.map((looks) => looks['engraving, lines from mesh to mesh'].microseconds);
+    const outlined = scenes.map((looks) => looks['pen, with outlines'].microseconds - looks.pen.microseconds);
+    const text =
+      /each takes ([\d.]+) to ([\d.]+) microseconds of script .* own work, ([\d.]+) to ([\d.]+) where .* mesh, and ([\d.]+) to ([\d.]+) more with outlines/;
+    expect(numbersIn('docs/performance.md', text)).toEqual([alone, joined, outlined].flatMap(span));
+  });
+
   test('of pixels that flip while the light turns', () => {
     const flips = /Flips under a 0\.5° turn of the light.*?\|.*?\| ([\d.]+) \(\w+\) \| ([\d.]+) \(\w+\)/;
     const [anchored, engraved] = numbersIn('docs/research/metrics.md', flips);
