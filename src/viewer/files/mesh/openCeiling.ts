@@ -36,9 +36,18 @@ export function openCeiling(mesh: PlainMesh, up: UpAxis): PlainMesh | undefined 
   const ceiling = findCeiling(mesh, up);
   // A plate is nothing but a lid.
   if (!ceiling?.includes(1) || !ceiling.includes(0)) return undefined;
-  const open = withoutTriangles(mesh, ceiling);
+  const open = withBothSides(withoutTriangles(mesh, ceiling));
   return isClosed(surfaceOf(mesh, up)) && showsFloor(planOf(surfaceOf(open, up))) ? open : undefined;
 }
+
+/** A mesh of which both sides are drawn: walls that face outward alone would be missing from within. */
+const withBothSides = (mesh: PlainMesh): PlainMesh => ({
+  ...mesh,
+  ...(mesh.isOneSided && { isOneSided: false }),
+  ...(mesh.ranges && {
+    ranges: mesh.ranges.map((range) => (range.isOneSided ? { ...range, isOneSided: false } : range)),
+  }),
+});
 
 /** Marks the triangles of a lid that covers the plan; undefined if there is none. */
 function findCeiling(mesh: PlainMesh, up: UpAxis): Uint8Array | undefined {

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { FileChangeKind } from '../../../../src/viewer/files/common/fileChanges.js';
+import { openCeiling } from '../../../../src/viewer/files/mesh/openCeiling.js';
 import { boundsOf } from '../../../../src/viewer/files/mesh/PlainMesh.js';
 import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
 import { file, triangles } from '../../../../tools/modelFiles/modelWriters.js';
@@ -64,6 +65,20 @@ const sheet = (...points: Point[]): Faces => [points];
 const room = (high: number): Faces => box([0, 0, 0], [9, high, 7]);
 
 describe('the ceiling of closed rooms', () => {
+  test('opens walls that face outward alone, which are then drawn from both sides', () => {
+    const corners = [...room(2.7), ...BED, ...TABLE];
+    const mesh = {
+      positions: Float32Array.from(corners.flat(2)),
+      indices: Uint32Array.from(corners.flatMap((_, i) => [0, 1, 2, 0, 2, 3].map((k) => 4 * i + k))),
+      normals: null,
+      colors: null,
+      isOneSided: true,
+    };
+    expect(openCeiling(mesh, 'y')).toMatchObject({ isOneSided: false });
+    const ranges = [{ start: 0, count: mesh.indices.length, picture: -1, isOneSided: true }];
+    expect(openCeiling({ ...mesh, ranges }, 'y')?.ranges).toMatchObject([{ isOneSided: false }]);
+  });
+
   test('is left out, and its part with it; walls, floor and furniture stay', async () => {
     const { mesh, changes } = await read(obj(CLOSED));
     expect(changes).toEqual([{ kind: 'ceiling', sentence: 'its rooms are seen from above, without their ceiling' }]);
