@@ -22,7 +22,7 @@ import type { ReadGltf } from './gltf/readGltf.js';
 import { withCastingSides } from './mesh/castingSides.js';
 import { cleanMesh } from './mesh/cleanMesh.js';
 import { dropDuplicates } from './mesh/dropDuplicates.js';
-import { findUpAxis, type UpAxis, type UsualUp } from './mesh/findUpAxis.js';
+import { findUpAxis, type UpAxis, type UsualUp, upOnMap } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
 import { openCeiling } from './mesh/openCeiling.js';
 import { orientMesh } from './mesh/orientMesh.js';
@@ -163,30 +163,30 @@ async function readMain(
   const file = { bytes, name: shown, findFile, loadDraco, variant, switched };
   const isTurned = !format.isWindingCertain && !switched.includes('orientation');
   const { content, extras, turned: turnedParts, ...parsed } = await parse(format, file, isTurned);
-  const other = otherFormatNote(main, format);
-  const { usual, upAxis, upChanges } = orientationOf(format, switched);
+  const orientation = orientationOf(format, switched);
+  const { usual, upAxis, upChanges } = orientation;
   const ofReader = parsed.changes ?? [];
   if ('arrays' in content) {
     const { missing, lostPictures } = parsed;
     const notes = [...missingNote(missing), ...parsed.notes];
+    const other = otherFormatNote(main, format);
     const details = [...missingDetail(missing), ...other, ...brokenNote(parsed.broken), ...parsed.details];
-    const common = { name, upAxis, usual, notes, details, missing, lostPictures, extras };
     const sides = sidesChange(switched.includes('sides') && content.hasBothSides);
     return {
       kind: 'parts',
-      ...common,
+      ...{ name, upAxis, usual, notes, details, missing, lostPictures, extras },
       changes: [...upChanges, ...ofReader, ...turnedChange(turnedParts), ...sides],
       parts: content,
     };
   }
   onStage('looking over the triangles');
   const wanted: WantedPicture[] = [];
-  const merged = 'isObject3D' in content ? mergeScene(content, wanted, undefined, parsed.notes) : content;
+  const { merged, toMesh } = mergedOf(content, wanted, parsed.notes);
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh: whole, broken } = cleanMesh(distinct);
   const { mesh: oriented, turned } = isTurned ? orientMesh(whole) : { mesh: whole, turned: 0 };
-  const stands = usual && findUpAxis(oriented.positions, oriented.indices, usual);
-  const { mesh, isOpened } = withoutCeiling(oriented, stands ?? upAxis, switched);
+  const { stands, up, stood } = standingOf(oriented, toMesh, orientation);
+  const { mesh, isOpened } = withoutCeiling(oriented, up, switched);
   const { centre, radius } = fitModel(mesh);
   const normals = plainNormals(mesh);
   const { pictures, clear, notes, lostPictures, ...lacks } = await readMeshPictures(
@@ -199,7 +199,7 @@ async function readMain(
   return {
     kind: 'mesh',
     name,
-    upAxis: stands ?? upAxis,
+    upAxis: up,
     mesh: withCastingSides(withClearRanges(mesh, clear)),
     pictures,
     plainNormals: normals,
@@ -211,20 +211,30 @@ async function readMain(
     notes: [...missingNote(missing), ...thinNote(mesh.positions, mesh.indices), ...parsed.notes, ...notes],
     details: [
       ...missingDetail(missing),
-      ...other,
+      ...otherFormatNote(main, format),
       ...brokenNote(parsed.broken + broken),
       ...duplicateNote(duplicates),
       ...behindNote(mesh),
       ...parsed.details,
     ],
     changes: [
-      ...(stands ? stoodChange(stands) : upChanges),
+      ...stood,
       ...ofReader,
       ...turnedChange(turned),
       ...sidesChange(switched.includes('sides') && format.isSideCertain === true),
       ...ceilingChange(isOpened),
     ],
   };
+}
+
+/** The mesh of a format's content, and the matrix from its space. */
+function mergedOf(
+  content: PlainMesh | Object3D,
+  wanted: WantedPicture[],
+  notes: string[],
+): { merged: PlainMesh; toMesh: Matrix4 } {
+  const toMesh = new Matrix4();
+  return { merged: 'isObject3D' in content ? mergeScene(content, wanted, toMesh, notes) : content, toMesh };
 }
 
 /** Finds files by the URIs of others. */
@@ -327,17 +337,35 @@ const usualUp = ({ up, isUpCertain, liesFlat = false }: ModelFormat): UsualUp | 
 const upChange = ({ name, up, isUpCertain }: ModelFormat): FileChange[] =>
   up === 'z' && !isUpCertain ? [{ kind: 'up', sentence: `stood up: z is up in ${name} files` }] : [];
 
-/** How the models of a format stand, and whether that is a change; as written, y is up. */
-function orientationOf(
-  format: ModelFormat,
-  switched: readonly FileChangeKind[],
-): { usual: UsualUp | undefined; upAxis: 'y' | 'z'; upChanges: FileChange[] } {
+/** How the models of a format stand, and the change for it. */
+interface Orientation {
+  usual: UsualUp | undefined;
+  upAxis: 'y' | 'z';
+  upChanges: FileChange[];
+}
+
+/** How the models of a format stand; as written, y is up. */
+function orientationOf(format: ModelFormat, switched: readonly FileChangeKind[]): Orientation {
   if (switched.includes('up')) return { usual: undefined, upAxis: 'y', upChanges: [] };
   return { usual: usualUp(format), upAxis: format.up, upChanges: upChange(format) };
 }
 
-/** The change of a model that stands on another side than its format's models usually do. */
-const stoodChange = (up: UpAxis): FileChange[] => [{ kind: 'up', sentence: `stood on its flat side: ${up} is up` }];
+/**
+ * The up axis of a mesh, and the change for it: that of map coordinates, or of the flat side on which it stands, or the usual one of the format.
+ *
+ * @param toMesh the matrix from the space of the file
+ */
+function standingOf(
+  { positions, indices }: PlainMesh,
+  toMesh: Matrix4,
+  { usual, upAxis, upChanges }: Orientation,
+): { stands?: UpAxis | undefined; up: UpAxis; stood: FileChange[] } {
+  const onMap = usual && upOnMap(toMesh.elements.slice(12, 15));
+  const stands = onMap ?? (usual && findUpAxis(positions, indices, usual));
+  if (!stands || onMap === upAxis) return { up: upAxis, stood: upChanges };
+  const how = onMap ? 'up as on maps' : 'on its flat side';
+  return { stands, up: stands, stood: [{ kind: 'up', sentence: `stood ${how}: ${stands} is up` }] };
+}
 
 /** The result of a format's reader. */
 interface Parsed extends Omit<ReadGltf, 'content'> {

@@ -76,6 +76,23 @@ export function findUpAxis(
   return above > 1.1 * below ? `-${AXES[best]}` : AXES[best];
 }
 
+/** Map coordinates are this many times the size of a model away, and heights at most this share as far as they are. */
+const MAP = { away: 100, height: 0.02 };
+
+/**
+ * The up axis of a model at map coordinates: two of them are far away, and the third is the height above the sea.
+ *
+ * @param offset of the model from the origin, in sizes of the model
+ * @returns undefined if it is not at such coordinates
+ */
+export function upOnMap(offset: readonly number[]): 'y' | 'z' | undefined {
+  const [x, y, z] = offset.map(Math.abs);
+  const isHeight = (height: number, other: number): boolean =>
+    Math.min(x, other) > MAP.away && height < MAP.height * Math.min(x, other);
+  if (isHeight(z, y)) return 'z';
+  return isHeight(y, z) ? 'y' : undefined;
+}
+
 /** For each vertex, the sides of the model it lies on: two bits per axis, 1 for the lower side and 2 for the upper one. */
 function outerSides(
   positions: ArrayLike<number>,

@@ -47,6 +47,28 @@ describe('changes to what a file says', () => {
     expect([left.upAxis, left.changes]).toEqual(['y', []]);
   });
 
+  test('a model at map coordinates stands by its heights, unless that is left', async () => {
+    const at = (...origin: number[]): string =>
+      [
+        ...[0, 1, 2, 3].map(
+          (i) => `v ${[3 * (i % 2), i > 1 ? 5 : 0, i === 3 ? 1 : 0].map((x, k) => x + origin[k]).join(' ')}`,
+        ),
+        'f 1 2 3',
+        'f 2 4 3',
+      ].join('\n');
+    const { upAxis, changes } = await read('plot.obj', at(432_000, 5_123_000, 115));
+    expect([upAxis, changes]).toEqual(['z', [{ kind: 'up', sentence: 'stood up as on maps: z is up' }]]);
+    for (const [content, ...switched] of [
+      [at(432_000, 5_123_000, 115), 'up'],
+      [at(432_000, 115, -5_123_000)],
+      [at(0, 0, 5_123_000)],
+      [at(432_000, 5_123_000, 300_000)],
+    ] as [string, ...FileChangeKind[]][]) {
+      const left = await read('plot.obj', content, ...switched);
+      expect([left.upAxis, left.changes]).toEqual(['y', []]);
+    }
+  });
+
   test('nodes that a glTF file hides are left out, and counted, or shown', async () => {
     const builder = tetrahedron();
     const hidden = { extensions: { KHR_node_visibility: { visible: false } }, children: [2] };
