@@ -1,4 +1,5 @@
 import { areaOf, boundsOf } from './PlainMesh.js';
+import { standsOnFeet } from './standsOnFeet.js';
 
 /** The up axis of a model. */
 export type UpAxis = 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
@@ -23,8 +24,8 @@ export interface UsualUp {
 }
 
 /**
- * Finds the up axis of a model by the flat side that it stands on. A model that stands firmly as it is, such as a vehicle on its wheels,
- * stays so, however flat another side is.
+ * Finds the up axis of a model by the feet or the flat side that it stands on. A model that stands firmly as it is, such as a vehicle
+ * on its wheels, stays so, however flat another side is.
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one
@@ -35,6 +36,8 @@ export function findUpAxis(
   indices: ArrayLike<number> | null,
   { up, liesFlat }: UsualUp,
 ): UpAxis | undefined {
+  const onFeet = axisOfFeet(positions, indices);
+  if (onFeet) return onFeet === up ? undefined : onFeet;
   if (standsFirmly(positions, indices, up)) return undefined;
   const { low, high } = boundsOf(positions);
   const size = AXES.map((_, axis) => high[axis] - low[axis]);
@@ -91,6 +94,15 @@ export function upOnMap(offset: readonly number[]): 'y' | 'z' | undefined {
     Math.min(x, other) > MAP.away && height < MAP.height * Math.min(x, other);
   if (isHeight(z, y)) return 'z';
   return isHeight(y, z) ? 'y' : undefined;
+}
+
+/** The axis that points up from the feet of a model. Where both ends look like feet, as posts of a shelf do, it is the positive one. */
+function axisOfFeet(positions: ArrayLike<number>, indices: ArrayLike<number> | null): UpAxis | undefined {
+  const found = AXES.flatMap((name, axis): UpAxis[] => {
+    if (standsOnFeet(positions, indices, axis, 'low')) return [name];
+    return standsOnFeet(positions, indices, axis, 'high') ? [`-${name}`] : [];
+  });
+  return found.length === 1 ? found[0] : undefined;
 }
 
 /** For each vertex, the sides of the model it lies on: two bits per axis, 1 for the lower side and 2 for the upper one. */

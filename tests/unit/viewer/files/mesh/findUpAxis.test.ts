@@ -75,8 +75,47 @@ describe('the axis that points up', () => {
     expect(upOf(geometry.clone().rotateX(quarter), Z_UP)).toBeUndefined();
   });
 
-  test('is not assumed for a vehicle without ground contact', () => {
-    expect(upOf(vehicle().rotateX(Math.PI))).toBe('-x');
+  /** A box for a back or a top, on four legs at the corners of a rectangle. */
+  const seat = (): BufferGeometry =>
+    mergeGeometries([
+      new BoxGeometry(1, 0.1, 1),
+      new BoxGeometry(1, 1, 0.1).translate(0, 0.5, -0.45),
+      ...[-0.45, 0.45].flatMap((x) => [-0.45, 0.45].map((z) => new BoxGeometry(0.1, 1, 0.1).translate(x, -0.5, z))),
+    ]);
+
+  test.each([
+    ['z', seat().rotateX(quarter)],
+    ['-y', seat().rotateX(Math.PI)],
+    ['x', seat().rotateZ(-quarter)],
+    ['z', mergeGeometries([seat(), seat().scale(0.5, 1, 0.5).translate(0, 0, 1.5)]).rotateX(quarter)],
+  ])('is %s by feet, though it would lie firmly on its back', (up, geometry) => {
+    expect(upOf(geometry)).toBe(up);
+    expect(upOf(geometry.toNonIndexed())).toBe(up);
+  });
+
+  test('is believed of what stands on feet, or would on either end', () => {
+    expect(upOf(seat())).toBeUndefined();
+    const posts = mergeGeometries([
+      new BoxGeometry(1, 0.1, 1),
+      ...[-0.45, 0.45].flatMap((x) => [-0.45, 0.45].map((z) => new BoxGeometry(0.1, 2, 0.1).translate(x, 0, z))),
+    ]);
+    expect(upOf(posts)).toBeUndefined();
+    expect(upOf(posts, Z_UP)).toBe('y');
+  });
+
+  test('is not by contacts out of line', () => {
+    const tips = [0, 1, 2, 3, 4].map((i) =>
+      new ConeGeometry(0.1, 1, 8)
+        .rotateX(Math.PI)
+        .translate(1, -0.5, 0)
+        .rotateY((2 * Math.PI * i) / 5),
+    );
+    const star = mergeGeometries([new SphereGeometry(0.6, 24, 12).translate(0, 0.1, 0), ...tips]);
+    expect(upOf(star.rotateX(quarter))).toBeUndefined();
+  });
+
+  test('is by the wheels of a vehicle on its roof, though one side of it is flat', () => {
+    expect(upOf(vehicle().rotateX(Math.PI))).toBe('-y');
   });
 
   test('is across a plate that stands on its edge, in a format for printers alone', () => {
