@@ -15,7 +15,9 @@ export interface ChosenView {
 
 /** The directions that are tried first, and the steps to those around the best. */
 const AZIMUTHS = Array.from({ length: 12 }, (_, i) => 30 * i);
-const ELEVATIONS = [15, 30, 45];
+const ELEVATIONS = [15, 30];
+/** What is seen best from at least this elevation is tried from this one, too. */
+const FROM_ABOVE = { least: 30, elevation: 45 };
 const AROUND = [
   [-15, 0],
   [15, 0],
@@ -68,14 +70,15 @@ export function* chooseViews(triangles: ViewTriangles, up: UpAxis): Generator<nu
     return { azimuth, elevation, measures: measureView(map, surface) };
   };
   const views: MeasuredView[] = [];
-  const first = AZIMUTHS.length * ELEVATIONS.length;
-  const all = first + MOST_VIEWS * AROUND.length;
-  for (const elevation of ELEVATIONS) {
+  const all = AZIMUTHS.length * (ELEVATIONS.length + 1) + MOST_VIEWS * AROUND.length;
+  function* tryAll(elevation: number): Generator<number, void, void> {
     for (const azimuth of AZIMUTHS) {
       views.push(look(azimuth, elevation));
       yield Math.min(1, 0.1 + (0.9 * views.length) / all);
     }
   }
+  for (const elevation of ELEVATIONS) yield* tryAll(elevation);
+  if (bestElevation(surface, views) >= FROM_ABOVE.least) yield* tryAll(FROM_ABOVE.elevation);
   const score = scoreOf(surface, views);
   for (const { azimuth, elevation } of apart(views, score)) {
     for (const [around, above] of AROUND) {

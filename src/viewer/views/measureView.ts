@@ -55,7 +55,10 @@ export function measureView(map: SeenMap, surface: ViewSurface): ViewMeasures {
       Math.round(CELLS * (1 + sign * normals[n + 2]));
     histogram[cell]++;
     const column = at % MAP_SIZE;
-    for (const next of [column + 1 < MAP_SIZE ? at + 1 : -1, at + MAP_SIZE]) {
+    // No list, which would be made anew for each pixel.
+    for (let way = 0; way < 2; way++) {
+      const beside = column + 1 < MAP_SIZE ? at + 1 : -1;
+      const next = way === 0 ? beside : at + MAP_SIZE;
       const other = next >= 0 && next < triangles.length ? triangles[next] : NOTHING;
       if (other === NOTHING) {
         outline++;
@@ -88,8 +91,13 @@ function bend(map: SeenMap, { normals }: ViewSurface, at: number, next: number):
   const { triangles, nearness, towards, right, up } = map;
   const across = next === at + 1 ? right : up;
   const rise = nearness[next] - nearness[at];
-  const [a, b] = [3 * triangles[at], 3 * triangles[next]];
-  let [facingA, facingB, cosine, alongA, alongB] = [0, 0, 0, 0, 0];
+  const a = 3 * triangles[at];
+  const b = 3 * triangles[next];
+  let facingA = 0;
+  let facingB = 0;
+  let cosine = 0;
+  let alongA = 0;
+  let alongB = 0;
   for (let k = 0; k < 3; k++) {
     const step = across[k] + rise * towards[k];
     facingA += normals[a + k] * towards[k];
@@ -98,7 +106,8 @@ function bend(map: SeenMap, { normals }: ViewSurface, at: number, next: number):
     alongA += normals[a + k] * step;
     alongB += normals[b + k] * step;
   }
-  const [signA, signB] = [facingA < 0 ? -1 : 1, facingB < 0 ? -1 : 1];
+  const signA = facingA < 0 ? -1 : 1;
+  const signB = facingB < 0 ? -1 : 1;
   // The chord is nearly the angle, and much cheaper.
   return signB * alongB < signA * alongA ? Math.sqrt(Math.max(0, 2 - 2 * signA * signB * cosine)) : 0;
 }

@@ -28,7 +28,7 @@ export interface ViewSurface {
 /** Surfaces with more triangles are made coarser. */
 const MANY = 30_000;
 /** Grid cells along the radius of a surface that is made coarser. */
-const CELLS = 48;
+const CELLS = 36;
 
 /** The rows of the matrices that turn an axis upwards, as the page does. */
 const UPRIGHT: Readonly<Record<UpAxis, readonly [sign: number, axis: 0 | 1 | 2][]>> = {
