@@ -25,7 +25,7 @@ export interface DrawingOptions {
   preset: string | undefined;
   /** The hash of a playground link. */
   link: string | undefined;
-  /** A direction, or a rank among the views that show the model best; undefined for the view of the link, or else the best one. */
+  /** A direction, or a rank among the cameras of the file, then the views that show the model best; undefined for the view of the link, or else the best one. */
   view: DirectionInDegrees | BestView | undefined;
   /** The name of a camera of the model, or its number, counted from 1. */
   camera: string | undefined;
@@ -198,8 +198,8 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --preset <name>          the look: ${LINED.join(', ')} (default engraving)
   --link <address>         the look, view and lights of a link of the playground; nothing is fetched
   --view "<around> <up>"   where the eye is: degrees around the model and above it; or front, back, left, right,
-                           top, bottom or iso; or auto, auto2, auto3 or auto4: the best view that is found
-                           for the model, and others (default auto)
+                           top, bottom or iso; or auto, auto2, auto3 or auto4: the first camera of the file, or
+                           else the best view that is found for the model, and others (default auto)
   --camera <name>          draws from this camera of a glTF file; its number will do
   --zoom <factor>          how much larger than to fill the sheet (default ${DEFAULTS.zoom})
   --orthographic           without perspective

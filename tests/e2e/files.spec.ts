@@ -112,6 +112,9 @@ test('cameras, lights and variants of a glTF file can be chosen', { tag: '@all' 
   await drop(page, [file('extras.glb', Buffer.from(builder.glb()))]);
   const views = page.getByRole('group', { name: 'Views' }).getByRole('button');
   await expect(views).toHaveText(['1Lights of the file', '2Light for the view', '3close', '4plan']);
+  // It opens in its first camera.
+  await expect(views.nth(2)).toHaveAttribute('aria-pressed', 'true');
+  await views.first().click();
   await expect(views.first()).toHaveAttribute('aria-pressed', 'true');
   const first = await readDrawing(page);
   expect(new URLSearchParams(await writtenHash(page)).get('lightElevation')).toBe('89');

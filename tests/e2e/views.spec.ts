@@ -4,6 +4,7 @@ import { NodeSurroundings } from '../../src/command/draw/NodeSurroundings.js';
 import { dataOf } from '../../src/viewer/files/common/ModelFile.js';
 import { readModel } from '../../src/viewer/files/readModel.js';
 import { drop, openPlayground, readDrawing, ready, writtenHash } from '../../tools/browser/playground.js';
+import { tetrahedron } from '../../tools/modelFiles/GltfBuilder.js';
 import { file } from '../../tools/modelFiles/modelFiles.js';
 import { expect, test } from '../browser/test.js';
 import { changedShare } from './pictures.js';
@@ -35,6 +36,31 @@ async function turnedHead(): Promise<string> {
   for (let at = 0; at < corners; at += 3) lines.push(`f ${corner(at)} ${corner(at + 1)} ${corner(at + 2)}`);
   return lines.join('\n');
 }
+
+test('a file opens in its first camera that sees the model, and V goes on to the others', async ({ page }) => {
+  const builder = tetrahedron();
+  const { json } = builder;
+  json.cameras = [{ type: 'perspective', perspective: { yfov: 0.5, znear: 0.1 } }];
+  // Aside of the model, in front of it, and behind it.
+  json.nodes.push(
+    { name: 'aside', camera: 0, translation: [30, 0, 6] },
+    { name: 'front', camera: 0, translation: [0, 0, 9] },
+    { name: 'back', camera: 0, translation: [0, 0, -9], rotation: [0, 1, 0, 0] },
+  );
+  json.scenes[0].nodes = [0, 1, 2, 3];
+  await openPlayground(page, SMALL);
+  await drop(page, [file('seen.glb', Buffer.from(builder.glb()))]);
+  await ready(page);
+  expect(await azimuth(page)).toBeCloseTo(0, 1);
+  await expect(page.locator('#model-notes')).toContainText('1 camera left out, from which nothing of the model is seen');
+  await page.locator('#drawing').press('v');
+  const status = page.getByRole('status').first();
+  await expect(status).toHaveText(/^View 2 of \d: back$/);
+  expect(Math.abs((await azimuth(page))!)).toBeCloseTo(180, 1);
+  await page.locator('#drawing').press('v');
+  await expect(status).toHaveText(/^View 3 of \d$/);
+  expect(await azimuth(page)).toBeUndefined();
+});
 
 test('a head that is dropped is seen from its face, and V goes through other views', async ({ page }) => {
   await openPlayground(page, SMALL);

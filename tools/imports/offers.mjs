@@ -238,6 +238,7 @@ export const OFFERS = {
     'settings/shareLink.ts',
     'settings/surprise.ts',
     'settings/table/rows.ts',
+    'views/cameraSights.ts',
     'views/chooseViews.ts',
     'views/sceneTriangles.ts',
     'views/viewSurface.ts',

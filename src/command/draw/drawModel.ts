@@ -154,7 +154,8 @@ function offersOf(
     ...offer(
       'camera',
       cameras.map((one) => one.name),
-      camera,
+      // The automatic view is that of the first.
+      camera ?? (cameras.length === 1 && !options.view && !options.link ? 0 : undefined),
     ),
     ...offer('variant', variants, variant ?? linked.variant),
     ...(clips.length > 1 ? offer('clip', clips, clip ?? linked.clip) : []),

@@ -29,6 +29,7 @@ import { firstView, presetLook, wholeLook } from '../../viewer/settings/presets.
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { formDrawn } from '../../viewer/settings/settingValues.js';
 import { readLink } from '../../viewer/settings/shareLink.js';
+import { cameraSights } from '../../viewer/views/cameraSights.js';
 import { chooseViews } from '../../viewer/views/chooseViews.js';
 import { sceneTriangles } from '../../viewer/views/sceneTriangles.js';
 import type { DrawingOptions } from '../parseDrawing.js';
@@ -116,10 +117,9 @@ export async function setUpScene(
   const framedPoints = turnedPoints(model.framedPoints, upright);
   const inPicture = aroundUpright(framedPoints, angles);
   const { cameras, lights: fileLights } = movedExtras(model.extras, upright.matrixWorld);
-  const fileCamera = options.camera === undefined ? undefined : cameras[indexOfName(namesOf(cameras), options.camera)];
-  const eye = fileCamera
-    ? eyeOfFile(fileCamera)
-    : eyeOf(options, place, () => bestView(model, settings.upAxis, options));
+  const seen = viewOf(options, place, cameras, () => automaticView(model, settings.upAxis, cameras, options));
+  const fileCamera = 'name' in seen ? seen : undefined;
+  const eye = 'name' in seen ? eyeOfFile(seen) : seen;
   const { toEye, up } = eye;
   const proportion = fileCamera?.aspect ?? proportionOf(inPicture, toEye, up);
   const sheet = lyingSize(options.sheet, proportion > ABOUT_SQUARE);
@@ -182,18 +182,38 @@ function eyeOfFile(fileCamera: FileCamera): EyeDirection {
   return { toEye: camera.position.clone().sub(target), up: camera.up };
 }
 
-/** The direction to the eye: of the options, or else of a link, or else of the view that shows the model best. */
-function eyeOf({ view }: DrawingOptions, place: DrawnWith['camera'], best: () => EyeDirection): EyeDirection {
+/** The direction to the eye, or a camera of the file: of the options, or else of a link, or else an automatic one. */
+function viewOf(
+  { view, camera }: DrawingOptions,
+  place: DrawnWith['camera'],
+  cameras: readonly FileCamera[],
+  automatic: () => EyeDirection | FileCamera,
+): EyeDirection | FileCamera {
+  if (camera !== undefined) return cameras[indexOfName(namesOf(cameras), camera)];
   if (view && 'azimuth' in view) return eyeDirection(view.azimuth, view.elevation);
-  if (view || !place) return best();
+  if (view || !place) return automatic();
   return { toEye: new Vector3(...place.position).sub(new Vector3(...place.target)), up: UP };
 }
 
-/** One of the views that show a model best, or the last of them if there are fewer; the playground's default if it has no area. */
-function bestView({ root }: HatchedModel, upAxis: Settings['upAxis'], { view }: DrawingOptions): EyeDirection {
-  const views = runToEnd(chooseViews(sceneTriangles(root), upAxis));
+/**
+ * One of the cameras of a file that see the model, then of the views that show it best, by rank; the last of them if there are fewer, and the
+ * playground's default if it has no area.
+ *
+ * @param cameras of the upright model
+ */
+function automaticView(
+  { root, extras }: HatchedModel,
+  upAxis: Settings['upAxis'],
+  cameras: readonly FileCamera[],
+  { view }: DrawingOptions,
+): EyeDirection | FileCamera {
+  const triangles = sceneTriangles(root);
+  const sights = cameraSights(triangles, extras.cameras);
+  const seeing = cameras.filter((_, i) => sights[i] === 'model');
   const rank = view && 'rank' in view ? view.rank : 1;
-  const chosen = views[Math.min(rank, views.length) - 1];
+  if (rank <= seeing.length) return seeing[rank - 1];
+  const views = runToEnd(chooseViews(triangles, upAxis));
+  const chosen = views[Math.min(rank - seeing.length, views.length) - 1];
   return chosen ? eyeDirection(chosen.azimuth, chosen.elevation) : { toEye: new Vector3(...DEFAULT_VIEW), up: UP };
 }
 

@@ -21,7 +21,7 @@ interface OfferedView {
 /** Views nearer to the first one than this are not offered, in degrees around the up axis. */
 const LEAST_TURN = 45;
 
-/** Goes through the views that show the model best, and the cameras of its file. */
+/** Goes through the cameras of the model's file, and the views that show it best. The first of them is the view in which it opens. */
 export class AnotherView {
   private offered: readonly OfferedView[] = [];
   private shown = 0;
@@ -50,14 +50,15 @@ export class AnotherView {
 
   private async find(model: HatchedModel): Promise<OfferedView[]> {
     const { settings, viewport } = this.session;
-    const views = await findViews(sceneTriangles(model.root), settings.upAxis, new AbortController().signal);
+    const request = { triangles: sceneTriangles(model.root), up: settings.upAxis, cameras: [] };
+    const { views } = await findViews(request, new AbortController().signal);
     const { x, z } = viewport.view.firstDirection;
     const first = MathUtils.radToDeg(Math.atan2(x, z));
     const others = views.filter(({ azimuth }) => turnBetween(azimuth, first) >= LEAST_TURN);
     const { views: cameras } = viewsOfFile(extrasInWorld(model).cameras, lightOf(settings), undefined);
     return [
-      {},
       ...cameras.map(({ name, camera }) => ({ name, ...(camera && { camera }) })),
+      {},
       ...others.map(({ azimuth, elevation }) => ({ direction: eyeDirection(azimuth, elevation).toEye })),
     ];
   }

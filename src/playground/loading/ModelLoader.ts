@@ -370,8 +370,8 @@ export class ModelLoader {
         throw error;
       }
       report('drawing', 1);
-      load.views ??= await this.viewsOf(load, read, built.model, signal);
-      this.show(load, read, built);
+      const details = load.views ? [] : await this.findViews(load, read, built.model, signal);
+      this.show(load, read, { ...built, details });
     });
     // A drawing that came with the model may hide parts of it.
     if (end === 'done' && !load.hiddenNames && this.hide(load.choice.hidden ?? [])) this.onChange('hidden');
@@ -409,20 +409,31 @@ export class ModelLoader {
     return read;
   }
 
-  /** The views of the user's own model that is drawn as a scene. */
-  private async viewsOf(
-    { model, isOpened, isTurned }: Load,
+  /**
+   * Finds the views of the user's own model that is drawn as a scene, and leaves out cameras that do not see it.
+   *
+   * @returns notes on these cameras
+   */
+  private async findViews(
+    load: Load,
     read: ReadModel | BuiltInScene,
-    { root, stands }: HatchedModel,
+    model: HatchedModel,
     signal: AbortSignal,
-  ): Promise<readonly ChosenView[] | undefined> {
-    if (model !== 'file') return undefined;
-    const [{ sceneTriangles }, { findViews }] = await Promise.all([
+  ): Promise<readonly string[]> {
+    if (load.model !== 'file') return [];
+    const [{ sceneTriangles }, { findViews }, { sightedCameras }] = await Promise.all([
       import('../../viewer/views/sceneTriangles.js'),
       import('../reading/findViews.js'),
+      import('../../viewer/views/cameraSights.js'),
     ]);
-    const up = isOpened || isTurned ? (stands ?? read.upAxis) : this.settings.upAxis;
-    return findViews(sceneTriangles(root), up, signal);
+    const up = load.isOpened || load.isTurned ? (model.stands ?? read.upAxis) : this.settings.upAxis;
+    const { extras } = model;
+    const request = { triangles: sceneTriangles(model.root), up, cameras: extras.cameras };
+    const { views, sights } = await findViews(request, signal);
+    load.views = views;
+    const { cameras, details } = sightedCameras(extras.cameras, sights);
+    model.extras = { ...extras, cameras };
+    return details;
   }
 
   /** Shows a placeholder for a large mesh: the mesh itself as far as it can be drawn before baking, or a coarse copy. */
@@ -447,14 +458,18 @@ export class ModelLoader {
     this.name({ title, statistics: placeholder.statistics, notes: [], details: [] });
     if (viewport.shown.isPlaceholder) viewport.frames.fadeIntoNext();
     viewport.shown.setPlaceholder(placeholder, view);
-    if (load.isFramed) viewport.view.frame();
+    if (load.isFramed) this.place(load, read);
     this.light(load, read);
   }
 
   private show(
     load: Load,
     read: ReadModel | BuiltInScene,
-    { model: next, notes }: { model: HatchedModel; notes: readonly string[] },
+    {
+      model: next,
+      notes,
+      details: more,
+    }: { model: HatchedModel; notes: readonly string[]; details: readonly string[] },
   ): void {
     const { settings, viewport } = this;
     const { model, files = [], choice, isFramed, isOpened = false, hasPlaceholder = false } = load;
@@ -485,12 +500,12 @@ export class ModelLoader {
     if (viewport.shown.isPlaceholder) viewport.frames.fadeIntoNext();
     viewport.shown.set(next, view, hasPlaceholder);
     // The user may have moved the camera while the placeholder was shown.
-    if (isFramed && !hasPlaceholder) viewport.view.frame();
+    if (isFramed && !hasPlaceholder) this.place(load, read);
     if (!hasPlaceholder) this.light(load, read);
     const ofFile = isOpened && this.lights ? this.lights.viewsOf(next) : { views: [], notes: [] };
     // Notes on omissions matter for the user's own models only.
     const isOwn = model === 'file';
-    const details = isOwn && 'details' in read ? read.details : [];
+    const details = isOwn && 'details' in read ? [...read.details, ...more] : [];
     this.name({ title, statistics, notes: isOwn ? [...notes, ...ofFile.notes] : [], details });
     if (!isOpened && !load.isChosen) this.onChange('restored');
     else
@@ -500,6 +515,12 @@ export class ModelLoader {
         views: ofFile.views,
       });
     page.lamp.hidden = false;
+  }
+
+  /** Frames the model. One that the user opened is seen through the first camera of its file, if it brings no view of its own. */
+  private place({ isOpened }: Load, read: ReadModel | BuiltInScene): void {
+    this.viewport.view.frame();
+    if (isOpened && !('drawing' in read && read.drawing)) this.lights?.lookThroughCamera();
   }
 
   /** Lights the model, unless it brings its own look. */

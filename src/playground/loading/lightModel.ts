@@ -28,6 +28,17 @@ export class FileLights {
     this.lit = found && { before, given: lightOf(settings), found };
   }
 
+  /** Looks through the first camera of the shown model's file, if it has one. */
+  lookThroughCamera(): void {
+    const { settings, viewport } = this;
+    // Turns the model upright, and its cameras with it.
+    viewport.apply(lookOf(settings));
+    if (!viewport.model) return;
+    const { views } = viewsOfFile(extrasInWorld(viewport.model).cameras, lightOf(settings), undefined);
+    const place = views.find(({ camera }) => camera)?.camera;
+    if (place) viewport.view.place = place;
+  }
+
   /** The views of the most recently lit model's file, and notes on cameras and lights left out. */
   viewsOf(model: HatchedModel): { views: SavedView[]; notes: string[] } {
     const { cameras, lights } = extrasInWorld(model);

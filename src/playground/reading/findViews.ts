@@ -1,52 +1,50 @@
 import { Slices } from '../../viewer/files/common/Slices.js';
-import type { UpAxis } from '../../viewer/files/mesh/findUpAxis.js';
-import type { ChosenView } from '../../viewer/views/chooseViews.js';
-import type { ViewTriangles } from '../../viewer/views/viewSurface.js';
 import { startWorker } from './loadModelFiles.js';
-import type { ModelWorkerMessage, ViewRequest } from './model.worker.js';
+import type { FoundViews, ModelWorkerMessage, ViewRequest } from './model.worker.js';
 
 /**
- * Finds the views that show the triangles of a scene best, in a worker; where none starts, on the main thread.
+ * Finds the views that show the triangles of a scene best, and what cameras see of them, in a worker; where none starts, on the main
+ * thread.
  *
+ * @param request the triangles, the axis that points up, and cameras in the space of the triangles
  * @throws the signal's reason
  */
-export async function findViews(
-  triangles: ViewTriangles,
-  up: UpAxis,
-  signal: AbortSignal,
-): Promise<readonly ChosenView[]> {
+export async function findViews(request: ViewRequest, signal: AbortSignal): Promise<FoundViews> {
   signal.throwIfAborted();
   let worker: Worker;
   try {
     worker = startWorker();
   } catch {
-    return viewsHere(triangles, up, signal);
+    return viewsHere(request, signal);
   }
   try {
     return await new Promise((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.addEventListener('message', ({ data }: MessageEvent<ModelWorkerMessage>) => {
-        if (data.kind === 'views') resolve(data.views);
+        if (data.kind === 'views') resolve(data);
         else if (data.kind === 'failed') reject(new Error(data.sentence));
       });
       worker.addEventListener('error', (event) => {
         event.preventDefault();
-        resolve(viewsHere(triangles, up, signal));
+        resolve(viewsHere(request, signal));
       });
-      worker.postMessage({ triangles, up } satisfies ViewRequest);
+      worker.postMessage(request);
     });
   } finally {
     worker.terminate();
   }
 }
 
-async function viewsHere(triangles: ViewTriangles, up: UpAxis, signal: AbortSignal): Promise<readonly ChosenView[]> {
-  const { chooseViews } = await import('../../viewer/views/chooseViews.js');
+async function viewsHere({ triangles, up, cameras }: ViewRequest, signal: AbortSignal): Promise<FoundViews> {
+  const [{ chooseViews }, { cameraSights }] = await Promise.all([
+    import('../../viewer/views/chooseViews.js'),
+    import('../../viewer/views/cameraSights.js'),
+  ]);
   const slices = new Slices(signal);
   const task = chooseViews(triangles, up);
   for (;;) {
     const step = task.next();
-    if (step.done) return step.value;
+    if (step.done) return { views: step.value, sights: cameraSights(triangles, cameras) };
     await slices.next();
   }
 }

@@ -1,6 +1,7 @@
 import { runToEnd } from '../../mesh/phases.js';
 import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { toModelError } from '../../viewer/files/common/ModelError.js';
+import type { FileCamera } from '../../viewer/files/common/ModelExtras.js';
 import type { UpAxis } from '../../viewer/files/mesh/findUpAxis.js';
 import { checkTriangleCount, meshBuffers, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import { needsCoarse } from '../../viewer/files/mesh/plainNormals.js';
@@ -12,6 +13,7 @@ import {
   type ReadModel,
   readModel,
 } from '../../viewer/files/readModel.js';
+import { type CameraSight, cameraSights } from '../../viewer/views/cameraSights.js';
 import { type ChosenView, chooseViews } from '../../viewer/views/chooseViews.js';
 import type { ViewTriangles } from '../../viewer/views/viewSurface.js';
 import { withViews } from '../../viewer/views/withViews.js';
@@ -31,10 +33,17 @@ export interface FineRequest {
   viewsFor: UpAxis | 'file' | undefined;
 }
 
-/** A request for the views that show the triangles of a scene best. */
+/** A request for the views that show the triangles of a scene best, and for what cameras see of them. */
 export interface ViewRequest {
   triangles: ViewTriangles;
   up: UpAxis;
+  cameras: readonly FileCamera[];
+}
+
+/** The views that show the triangles of a scene best, and what each camera sees of them. */
+export interface FoundViews {
+  views: readonly ChosenView[];
+  sights: readonly CameraSight[];
 }
 
 /** A message from the worker: progress, result, or an error's sentence. */
@@ -42,7 +51,7 @@ export type ModelWorkerMessage =
   | { kind: 'stage'; stage: string; bytes: number | undefined }
   | { kind: 'coarse'; model: ReadModel }
   | { kind: 'done'; model: ReadModel }
-  | { kind: 'views'; views: readonly ChosenView[] }
+  | ({ kind: 'views' } & FoundViews)
   | { kind: 'failed'; sentence: string };
 
 /** The interval between progress messages, in milliseconds. */
@@ -89,7 +98,9 @@ async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise
 addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] | FineRequest | ViewRequest>) => {
   try {
     if ('triangles' in data) {
-      post({ kind: 'views', views: runToEnd(chooseViews(data.triangles, data.up)) });
+      const { triangles, up, cameras } = data;
+      const views = runToEnd(chooseViews(triangles, up));
+      post({ kind: 'views', views, sights: cameraSights(triangles, cameras) });
       return;
     }
     const { files, most, variant, switched, viewsFor }: Partial<FineRequest> & Pick<FineRequest, 'files'> =

@@ -2,11 +2,22 @@ import { runToEnd } from '../../mesh/phases.js';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import { oneSided } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
+import { cameraSights, sightedCameras } from './cameraSights.js';
 import { chooseViews } from './chooseViews.js';
 
-/** Adds the views that show a mesh best. A model in parts gets them when its parts are put together. @param up the axis that points up */
+/**
+ * Adds the views that show a mesh best, and leaves out cameras that do not see it. A model in parts gets them when its parts are put
+ * together.
+ *
+ * @param up the axis that points up
+ */
 export function withViews(read: ReadModel, up: UpAxis): ReadModel {
   if (read.kind !== 'mesh') return read;
   const { positions, indices } = read.mesh;
-  return { ...read, views: runToEnd(chooseViews({ positions, indices, isSingleSided: oneSided(read.mesh) }, up)) };
+  const triangles = { positions, indices, isSingleSided: oneSided(read.mesh) };
+  const views = runToEnd(chooseViews(triangles, up));
+  if (!read.extras) return { ...read, views };
+  const { extras } = read;
+  const { cameras, details } = sightedCameras(extras.cameras, cameraSights(triangles, extras.cameras));
+  return { ...read, views, extras: { ...extras, cameras }, details: [...read.details, ...details] };
 }

@@ -97,11 +97,14 @@ describe('what a glTF file offers', () => {
   };
 
   test('is reported if no option selects it', async () => {
-    expect((await draw('a.glb', named(), ...SMALL)).notes).toEqual([
-      'a.glb has the camera hero: --camera draws with it.',
+    const others = [
       'a.glb has the variants white, black: --variant draws with one.',
       'a.glb has the clips walk, run: --clip draws with one.',
-    ]);
+    ];
+    const { notes } = await draw('a.glb', named(), ...SMALL, '--view', 'front');
+    expect(notes).toEqual(['a.glb has the camera hero: --camera draws with it.', ...others]);
+    // The only camera draws without being asked for.
+    expect((await draw('a.glb', named(), ...SMALL)).notes).toEqual(others);
   });
 
   test.each([

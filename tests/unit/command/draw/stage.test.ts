@@ -31,8 +31,13 @@ describe('the stage', () => {
     return [(180 * theta) / Math.PI, 90 - (180 * phi) / Math.PI].map((angle) => Math.round(10 * angle) / 10);
   };
 
-  /** A model with a camera above its right side, which sees to its left and right, and with two lights. @param moves so that it stays a scene */
-  function seenAndLit(moves: boolean): Uint8Array<ArrayBuffer> {
+  /**
+   * A model with a camera above its right side, which sees to its left and right, and with two lights.
+   *
+   * @param moves so that it stays a scene
+   * @param before nodes before those of the camera
+   */
+  function seenAndLit(moves: boolean, ...before: object[]): Uint8Array<ArrayBuffer> {
     const builder = tetrahedron();
     const { json } = builder;
     const turned = (about: number[], angle: number): number[] => [
@@ -47,6 +52,7 @@ describe('the stage', () => {
       },
     };
     json.nodes.push(
+      ...before,
       { name: 'side', camera: 0, translation: [9, 0, 0], rotation: turned([0, 1, 0], Math.PI / 2) },
       { rotation: turned([1, 0, 0], -Math.PI / 3), extensions: light(0) },
       { translation: [-3, 0, 0], extensions: light(1) },
@@ -77,10 +83,22 @@ describe('the stage', () => {
       [-90, 0],
       [0, 60],
     ]);
+    const { position } = (await staged(['--view', 'auto', '--sheet', '60x60'], undefined, glb)).placed.camera;
+    expect(position).toEqual(camera.position);
     const found = await staged(['--no-file-lights', '--view', '0 0'], undefined, glb);
     expect(found.settings.lightKind).toBe('directional');
     const own = await staged(['--light', '10 20'], undefined, glb);
     expect(degrees(own.lights.position)).toEqual([10, 20]);
+  });
+
+  test('passes over a camera that sees nothing of the model, and goes on to the views that show it best', async () => {
+    const glb = seenAndLit(false, { camera: 0, translation: [9, 0, 0] });
+    const positionOf = async (...args: string[]): Promise<number[]> =>
+      (await staged(args, undefined, glb)).placed.camera.position.toArray();
+    expect(await positionOf()).toEqual(await positionOf('--camera', 'side'));
+    const [second, third] = [await positionOf('--view', 'auto2'), await positionOf('--view', 'auto3')];
+    expect(second).not.toEqual(await positionOf('--camera', '1'));
+    expect(third).not.toEqual(second);
   });
 
   const views: [string, number[], number[], number[]][] = [
