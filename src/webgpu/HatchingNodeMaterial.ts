@@ -59,7 +59,6 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { type HatchingMap, withVectors } from '../material/propertyValues.js';
 import { TONE_CURVES } from '../material/shaders/defineNames.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
-import type { Hand } from '../strokes/hand/Hand.js';
 import { maxTextureSize, warnOnce } from './deviceLimits.js';
 import { dotLayerOf, exposureReady, patternReady, writeExposure, writePattern } from './fetchedCode.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
@@ -121,7 +120,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   readonly envMap: null = null;
   protected focused: Vector3 | null = null;
   protected chosenMap: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
-  protected chosenHand: Hand | null = null;
+  protected chosenHand: HatchingMaterialProperties['hand'] = null;
   protected numbers = new Map<HatchingPropertyName, number | 'auto' | 'fit' | null>();
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
     technique: HATCHING_DEFAULTS.technique,

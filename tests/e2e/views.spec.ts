@@ -52,7 +52,9 @@ test('a file opens in its first camera that sees the model, and V goes on to the
   await drop(page, [file('seen.glb', Buffer.from(builder.glb()))]);
   await ready(page);
   expect(await azimuth(page)).toBeCloseTo(0, 1);
-  await expect(page.locator('#model-notes')).toContainText('1 camera left out, from which nothing of the model is seen');
+  await expect(page.locator('#model-notes')).toContainText(
+    '1 camera left out, from which nothing of the model is seen',
+  );
   await page.locator('#drawing').press('v');
   const status = page.getByRole('status').first();
   await expect(status).toHaveText(/^View 2 of \d: back$/);

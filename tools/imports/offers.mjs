@@ -48,8 +48,10 @@ export const OFFERS = {
   ],
   strokes: [
     'blurToroidal.ts',
+    'handConstants.ts',
     'handStyle.ts',
     'random.ts',
+    'strokeProfiles.ts',
     'strokeStyleNames.ts',
     'strokeStyles.ts',
     'hand/checkHand.ts',

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { HAND_TEXTURE, MOST_REACH } from '../../../src/strokes/handConstants.js';
 import type { Hand, HandNumbers, HandStroke } from '../../../src/strokes/hand/Hand.js';
 import { learnHand } from '../../../src/strokes/hand/learnHand.js';
+import { HAND_TEXTURE, MOST_REACH } from '../../../src/strokes/handConstants.js';
 import { MOST_PROFILES, type StrokeProfiles, strokeProfiles } from '../../../src/strokes/strokeProfiles.js';
 
 const { PLACES } = HAND_TEXTURE;
