@@ -20,6 +20,8 @@ struct Cells {
   float paired; // share of the pairs of cells that hold one stroke together
   float longest; // part of such a pair that its stroke may fill
   float perPixel; // change of the places from one pixel to the next, on a surface that faces the viewer
+  vec2 perPixelOfRow; // change of the places from one pixel to the next along a row, on the screen
+  vec2 askew; // change of the places, straight across a row on the screen, while the family's function grows by 1
 };
 
 bool isFirst(const in HatchingParameters h, const in Family family) {
@@ -40,14 +42,22 @@ Cells cellsFor(const in HatchingParameters h, const in Family family) {
     cells.places = vec2(alongCrossing ? h.values.y : h.values.x);
     cells.share = 1.0;
     cells.repeat = powerOf2(alongCrossing ? h.coarsest.y : h.coarsest.x);
+    vec2 first = alongCrossing ? h.crossingOnScreen : h.valueOnScreen;
+    vec2 second = first;
   #else
     float rise = AXIS_RISE;
     Along along = alongLines(h, family);
     cells.places = along.places;
     cells.share = along.share;
     cells.repeat = ROW_SHIFT;
+    vec2 first = screenGradient(along.first, h.onScreen);
+    vec2 second = screenGradient(along.second, h.onScreen);
   #endif // FOLLOWS_FORM
   cells.perPixel = max(tilesPerPixel * rise, 1e-12);
+  vec2 across = screenGradient(family.gradient, h.onScreen);
+  across /= max(length(across), 1e-12);
+  cells.perPixelOfRow = max(vec2(crossed(first, across), crossed(second, across)), 0.1 * cells.perPixel);
+  cells.askew = vec2(dot(first, across), dot(second, across)) / max(family.perPixel, 1e-12);
   float octave = mix(octaves(strokeLength / PARTS_OF_TILE * rise), octaves(strokeLength * cells.perPixel), screenSpaceShare);
   cells.period = powerOf2(floor(octave));
   // Strokes of one cell and of two have the wanted length in the mean.
@@ -85,10 +95,10 @@ float numberOfCell(const in float cell, const in float repeat) {
   #endif // FOLLOWS_FORM
 }
 
-// The share of a pixel that the strokes of a row cover. place, share: of one of the coordinates along the row. spacing: pixels.
+// The share of a pixel that the strokes of a row cover. place, share, perPixel: of one of the coordinates along the row. spacing: pixels.
 float strokeCoverage(
-  const in Row row, const in Cells cells, const in float place, const in float share, const in float isDark, const in float widening,
-  const in float spacing
+  const in Row row, const in Cells cells, const in float place, const in float share, const in float perPixel, const in float isDark,
+  const in float widening, const in float spacing
 ) {
   // Rows are shifted by chance: any rule would show where their strokes end.
   float x = (row.way * place + strokeHash01(row.bits, 0.0) * cells.repeat) / cells.period;
@@ -117,8 +127,11 @@ float strokeCoverage(
   vec2 stroke = textureLod(handStrokes, vec2((t * (PLACES - 1.0) + 0.5) / PLACES, (shape + 0.5) / HAND_ROWS), 0.0).rg;
   float fromEnd = min(t, 1.0 - t);
   float halfWidth = (stroke.g + widening * min(1.0, WIDENED_ENDS * fromEnd)) * min(1.0, there / WIDE_FROM);
-  float toEnd = fromEnd * there * size * (isPair ? 2.0 : 1.0) * cells.period / cells.perPixel;
-  return lineCoverage(spacing * abs(row.way * row.away - stroke.r), spacing * halfWidth, FRINGE) * clamp(toEnd + 0.5, 0.0, 1.0);
+  halfWidth *= spacing;
+  // Blunt ends are round, as the tip of a pen leaves them.
+  float toEnd = fromEnd * there * size * (isPair ? 2.0 : 1.0) * cells.period / perPixel;
+  float cap = max(1.0 - toEnd / max(halfWidth, 0.5), 0.0);
+  return lineCoverage(spacing * abs(row.way * row.away - stroke.r), halfWidth * sqrt(1.0 - cap * cap), FRINGE);
 }
 
 // The darkness of a family.
@@ -156,9 +169,14 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
     #endif // FOLLOWS_FORM
     number = abs(number) == 0.0 ? 0.0 : way * number;
     Row row = Row((x - line) * apart, way, hash01(number), turnOf(number), bitsOfLine(number), isYoung ? bornYoung : bornOld);
-    blank *= 1.0 - strokeCoverage(row, cells, cells.places.x, cells.share, isDark, drawn.y, spacing);
+    // The places of the nearest point of the row: strokes end straight across their rows.
+    vec2 places = cells.places - cells.askew * ((x - line) * period);
+    blank *= 1.0 - strokeCoverage(row, cells, places.x, cells.share, cells.perPixelOfRow.x, isDark, drawn.y, spacing);
     #ifndef FOLLOWS_FORM
-      if (cells.share < 1.0) blank *= 1.0 - strokeCoverage(row, cells, cells.places.y, 1.0 - cells.share, isDark, drawn.y, spacing);
+      if (cells.share < 1.0) {
+        float other = strokeCoverage(row, cells, places.y, 1.0 - cells.share, cells.perPixelOfRow.y, isDark, drawn.y, spacing);
+        blank *= 1.0 - other;
+      }
     #endif // FOLLOWS_FORM
     if (!(blank > 0.0)) break;
   }

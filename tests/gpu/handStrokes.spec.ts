@@ -80,7 +80,8 @@ for (const name of names) {
     test.info().annotations.push({ type: 'measured', description: measured });
     for (const [i, tone] of tones.entries())
       expect(Math.abs(darkness[i] - tone), `${tone} of ${measured}`).toBeLessThan(0.03);
-    expect(ratio, measured).toBeGreaterThan(0.7);
+    // A tool that skips tears its strokes on the sheet too.
+    expect(ratio, measured).toBeGreaterThan('skips' in exampleHabits[name] ? 0.4 : 0.7);
   });
 }
 
@@ -88,7 +89,7 @@ test('another hand is drawn with the same program and the same texture, and null
   page,
 }) => {
   const { programs, textures, shots, before } = await page.evaluate(
-    async ([brush, ruled]) => {
+    async ([brush, woodcut]) => {
       const { THREE, HatchingMaterial, makeRenderer, pixelsOf, sceneOf, sun } = window.toolkit;
       const pen = { technique: 'pen', direction: 'x', screenSpaceShare: 1 } as const;
       const material = new HatchingMaterial({ ...pen, hand: brush });
@@ -98,7 +99,7 @@ test('another hand is drawn with the same program and the same texture, and null
       const shots = [pixelsOf(scene, renderer)];
       const { programs, memory } = renderer.info;
       const before = { programs: programs!.length, textures: memory.textures };
-      material.hand = { ...ruled };
+      material.hand = { ...woodcut };
       shots.push(pixelsOf(scene, renderer));
       const after = { programs: programs!.length, textures: memory.textures };
       material.hand = null;
@@ -111,7 +112,7 @@ test('another hand is drawn with the same program and the same texture, and null
       material.dispose();
       return { ...after, shots, before };
     },
-    [hands.brush, hands.ruled] as const,
+    [hands.brush, hands.woodcut] as const,
   );
   expect({ programs, textures }).toEqual(before);
   const differing = (a: number[], b: number[]): number =>

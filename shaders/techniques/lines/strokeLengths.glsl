@@ -4,6 +4,7 @@ uniform float strokeLength; // pixels, or 256ths of a tile
 
 // The coordinates of a fragment along the lines of a family: on the two axes of the field along which the lines run most.
 struct Along {
+  vec3 first, second; // the axes
   vec2 places;
   float share; // of the first axis
   float period; // length of a stroke with its gap
@@ -24,6 +25,8 @@ Along alongLines(const in HatchingParameters h, const in Family family) {
   if (squares.x < min(squares.y, squares.z)) first = vec3(0.0, 0.0, 1.0);
   else if (squares.y < squares.z) second = vec3(0.0, 0.0, 1.0);
   Along along;
+  along.first = first;
+  along.second = second;
   along.places = vec2(dot(first, vFieldPoint), dot(second, vFieldPoint));
   along.share = smoothstep(-AXES_FADE, AXES_FADE, dot(squares, first - second));
   vec2 value = normalize(screenGradient(family.gradient, h.onScreen));
