@@ -19,7 +19,14 @@ interface Drawn {
   /** The darkness of each tone, in the order in which they were given. */
   darkness: number[];
   /** The lengths and areas of whole strokes in the first tone. */
-  pieces: { length: number; area: number }[];
+  pieces: Piece[];
+}
+
+interface Piece {
+  length: number;
+  area: number;
+  /** How far the ends of a piece along the rows of `slant` lean to the sides, as a share of its width: 0 for ends straight across. */
+  lean: number;
 }
 
 /** Draws a plane that faces the camera in several tones. */
@@ -51,7 +58,14 @@ const drawPlane = (page: Page, hand: object | null, tones: readonly number[], di
       const pieces = wholePieces(side, (i) => shots[0][i] > 0.35).map((piece) => {
         const [xs, ys] = [piece.map((i) => i % side), piece.map((i) => Math.floor(i / side))];
         const extent = (values: number[]): number => Math.max(...values) - Math.min(...values) + 1;
-        return { length: Math.hypot(extent(xs), extent(ys)), area: piece.length };
+        const places = piece.map((_, i) => [0.8 * xs[i] - 0.6 * ys[i], 0.6 * xs[i] + 0.8 * ys[i]]);
+        const middle = [0, 1].map((k) => places.reduce((sum, place) => sum + place[k], 0) / places.length);
+        const [along, across] = [0, 1].map((k) => places.map((place) => place[k] - middle[k]));
+        const [long, wide] = [extent(along), extent(across)];
+        // The outermost parts, half as long as the piece is wide.
+        const ends = piece.map((_, i) => i).filter((i) => Math.abs(along[i]) > 0.5 * (long - wide));
+        const lean = ends.reduce((sum, i) => sum + Math.sign(along[i]) * across[i], 0) / ends.length / wide;
+        return { length: Math.hypot(extent(xs), extent(ys)), area: piece.length, lean };
       });
       material.dispose();
       return { darkness, pieces };
@@ -84,6 +98,20 @@ for (const name of names) {
     expect(ratio, measured).toBeGreaterThan('skips' in exampleHabits[name] ? 0.4 : 0.7);
   });
 }
+
+test('strokes end straight across their rows, also where these run askew to the axis along which they are counted', async ({
+  page,
+}) => {
+  const { numbers } = hands.feltTip;
+  const ruled = { ...hands.feltTip, numbers: { ...numbers, angleSpread: 0, wobble: 0, curvature: 0, overlap: -0.5 } };
+  const { pieces } = await drawPlane(page, ruled, [0.06], 'slant');
+  const strokes = pieces.filter(({ length }) => length > 0.7 * SCALE * numbers.length);
+  const lean = strokes.reduce((sum, piece) => sum + piece.lean, 0) / strokes.length;
+  const measured = `${strokes.length} strokes lean by ${lean.toFixed(3)}`;
+  test.info().annotations.push({ type: 'measured', description: measured });
+  expect(strokes.length).toBeGreaterThan(5);
+  expect(Math.abs(lean), measured).toBeLessThan(0.05);
+});
 
 test('another hand is drawn with the same program and the same texture, and null draws the strokes of the pen', async ({
   page,

@@ -34,4 +34,26 @@ export const hand: readonly Mutation[] = [
       title: 'learns a second layer at … degrees',
     },
   },
+  {
+    name: 'strokes of a hand end along the axis across which they are counted',
+    file: 'shaders/chunks/handStrokes.glsl',
+    find: 'cells.places - cells.askew * ((x - line) * period)',
+    replace: 'cells.places',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/handStrokes.spec.ts',
+      title: 'strokes end straight across their rows',
+    },
+  },
+  {
+    name: 'strokes of a hand are half as long as drawn',
+    file: 'shaders/chunks/handStrokes.glsl',
+    find: 'float size = handReach.w',
+    replace: 'float size = 0.5 * handReach.w',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/handStrokes.spec.ts',
+      title: 'strokes of a hand are whole, and make the tone',
+    },
+  },
 ];
