@@ -6,6 +6,7 @@ import { consistentPatches, NO_PATCH, type Patches } from './consistentPatches.j
 import { Enclosures } from './Enclosures.js';
 import { measureParts, type Part } from './measureParts.js';
 import { bodiesOf, edgeSums } from './openTriangles.js';
+import { isWithin, partsWithin } from './partsWithin.js';
 import { sideVotes } from './sideVotes.js';
 
 /** How much less an open patch must be seen from one side than from the other for its side to be clear. Others are seen from both. */
@@ -46,7 +47,8 @@ export function* orientTriangles(mesh: TriangleMesh): Generator<number, Uint8Arr
   for (const patch of isPinched.keys()) isClosed[patch] ||= isPinched[patch];
   const parts = measureParts(mesh, areaNormals, patches);
   const around = enclosingParts(mesh, patches);
-  const isTurned = closedInward(parts, around);
+  const within = partsWithin(parts);
+  const isTurned = yield* closedInward(parts, around, within);
   leaveFragments(parts, isTurned, isPinched);
   if (parts.some(({ isClosed }) => !isClosed)) {
     const votes = yield* asPhase(sideVotes(mesh, patches, parts), 0.4, 0.9);
@@ -58,7 +60,10 @@ export function* orientTriangles(mesh: TriangleMesh): Generator<number, Uint8Arr
       isTurned,
       parts.map(({ isClosed }) => !isClosed),
     );
-    for (const i of inward) if (isRoom(parts, i, isTurned, around)) isTurned[i] = false;
+    for (const i of inward) {
+      if (isRoom(parts, i, isTurned, around, within)) isTurned[i] = false;
+      yield 0.9;
+    }
     if (isTurned.includes(true)) {
       const isRight = parts.map((_, i) => !isTurned[i] && isClear(votes.front[i], votes.back[i]));
       const bodyOf = yield* bodiesOf(mesh, canonical);
@@ -138,9 +143,11 @@ const isClear = (votes: number, others: number): boolean => votes >= LEAST_VOTES
 
 /** The patches that enclose a part. */
 type Around = (part: Part) => Set<number>;
+/** The parts whose bounding boxes lie within that of a part. */
+type Within = (outer: number) => number[];
 
 /** For each part whether it is closed and faces inward without reason. */
-function closedInward(parts: readonly Part[], around: Around): boolean[] {
+function* closedInward(parts: readonly Part[], around: Around, within: Within): Generator<number, boolean[], void> {
   const isInward = parts.map(({ volume, doubleArea }) => volume < -FLAT * doubleArea ** 1.5);
   const isTurned = [...isInward];
   const inward = [...parts.keys()].filter((i) => isInward[i]);
@@ -150,21 +157,32 @@ function closedInward(parts: readonly Part[], around: Around): boolean[] {
     const isInside = parts.some(
       (other, k) => k !== i && other.isClosed && !isTurned[k] && isWithin(parts[i], other) && around(parts[i]).has(k),
     );
-    isTurned[i] = !isInside && !isRoom(parts, i, isInward, around);
+    isTurned[i] = !isInside && !isRoom(parts, i, isInward, around, within);
+    yield 0.4;
   }
   return isTurned;
 }
 
 /** Whether enough lies inside a part that does not face inward as it does. */
-function isRoom(parts: readonly Part[], room: number, isInward: readonly boolean[], around: Around): boolean {
+function isRoom(
+  parts: readonly Part[],
+  room: number,
+  isInward: readonly boolean[],
+  around: Around,
+  within: Within,
+): boolean {
+  const needed = CONTENTS * parts[room].doubleArea;
+  const boxed = within(room);
+  // What is not even in its bounding box is not in it.
+  if (areaOf(boxed.filter((i) => !isInward[i]).map((i) => parts[i])) <= needed) return false;
   let inward = 0;
   let others = 0;
-  for (const [i, part] of parts.entries()) {
-    if (i === room || !isWithin(part, parts[room]) || !around(part).has(room)) continue;
-    if (isInward[i]) inward += part.doubleArea;
-    else others += part.doubleArea;
+  for (const i of boxed) {
+    if (!around(parts[i]).has(room)) continue;
+    if (isInward[i]) inward += parts[i].doubleArea;
+    else others += parts[i].doubleArea;
   }
-  return others > inward && others > CONTENTS * parts[room].doubleArea;
+  return others > inward && others > needed;
 }
 
 /** Returns a function for the patches that enclose a part, which finds them on demand. */
@@ -198,10 +216,4 @@ function enclosing(
     if (found.size === 0) break;
   }
   return found ?? new Set();
-}
-
-/** Whether the bounding box of a part lies within that of another. */
-function isWithin(inner: Part, outer: Part): boolean {
-  for (let k = 0; k < 3; k++) if (inner.least[k] < outer.least[k] || inner.most[k] > outer.most[k]) return false;
-  return true;
 }

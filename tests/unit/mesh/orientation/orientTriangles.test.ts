@@ -114,6 +114,14 @@ describe.each(
   });
 });
 
+test('a pause is possible after each part that faces inward', () => {
+  const parts = 40;
+  const panes = Array.from({ length: parts }, (_, i) => new SphereGeometry(0.2, 8, 6, 0, 5).translate(i, 0, 0));
+  const pauses = (geometry: BufferGeometry): number =>
+    [...orientTriangles(turnedBy(meshOf(geometry), () => true))].length;
+  expect(pauses(merged(...panes)) - pauses(panes[0])).toBeGreaterThanOrEqual(parts - 1);
+});
+
 test('parts that are inside out are turned, and only these', () => {
   const mesh = meshOf(CLOSED.street);
   expect(wrongShare(mesh, (triangle) => Math.floor(triangle / 12) % 3 === 0)).toBe(0);
