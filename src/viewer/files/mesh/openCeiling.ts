@@ -1,7 +1,7 @@
 import { disjointSets, join, rootOf } from '../../../mesh/disjointSets.js';
 import { runToEnd } from '../../../mesh/phases.js';
 import { weldPositions } from '../../../mesh/weldPositions.js';
-import { placeOf, planOf, showsFloor, withinBorder } from '../../views/planOf.js';
+import { type Plan, placeOf, planOf, showsFloor, withinBorder } from '../../views/planOf.js';
 import { createSeenMap, drawSeenMap, NOTHING } from '../../views/seenMap.js';
 import { type ViewSurface, viewSurface } from '../../views/viewSurface.js';
 import { compact } from './cleanMesh.js';
@@ -10,6 +10,8 @@ import { areaOf, boundsOf, oneSided, type PictureRange, type PlainMesh, triangle
 
 /** A ceiling lies above this share of the height, and covers at least this share of the plan's box, level. */
 const CEILING = { above: 0.85, cover: 0.5 };
+/** The least share of the plan, without its border, that is as high as the ceiling: what slopes around a lid is no room's wall. */
+const LID = 0.75;
 /** The least cosine between the normal of a level triangle and the up axis. */
 const LEVEL = 0.98;
 /** Sheets that are narrower than this share of the plan are the tops of walls. */
@@ -36,9 +38,15 @@ export function openCeiling(mesh: PlainMesh, up: UpAxis): PlainMesh | undefined 
   const ceiling = findCeiling(mesh, up);
   // A plate is nothing but a lid.
   if (!ceiling?.includes(1) || !ceiling.includes(0)) return undefined;
+  const closed = surfaceOf(mesh, up);
+  if (!isCovered(planOf(closed)) || !isClosed(closed)) return undefined;
   const open = withBothSides(withoutTriangles(mesh, ceiling));
-  return isClosed(surfaceOf(mesh, up)) && showsFloor(planOf(surfaceOf(open, up))) ? open : undefined;
+  return showsFloor(planOf(surfaceOf(open, up))) ? open : undefined;
 }
+
+/** Whether a ceiling hides most of what lies below it from above. */
+const isCovered = ({ within }: Plan): boolean =>
+  within.filter((height) => height > CEILING.above).length > LID * within.length;
 
 /** A mesh of which both sides are drawn: walls that face outward alone would be missing from within. */
 const withBothSides = (mesh: PlainMesh): PlainMesh => ({

@@ -3,7 +3,7 @@ import type { FileChangeKind } from '../../../../src/viewer/files/common/fileCha
 import { openCeiling } from '../../../../src/viewer/files/mesh/openCeiling.js';
 import { boundsOf } from '../../../../src/viewer/files/mesh/PlainMesh.js';
 import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
-import { file, triangles } from '../../../../tools/modelFiles/modelWriters.js';
+import { file, PRISM_CORNERS, PRISM_FACES, triangles } from '../../../../tools/modelFiles/modelWriters.js';
 
 type Point = readonly [x: number, y: number, z: number];
 type Faces = readonly (readonly Point[])[];
@@ -60,6 +60,9 @@ async function read(content: string, ...switched: FileChangeKind[]): Promise<Rea
   return model;
 }
 
+/** The sides of a prism that lies, seen from outside. */
+const PRISM: Faces = PRISM_FACES.map((face) => face.map((corner) => PRISM_CORNERS[corner] as unknown as Point));
+
 const sheet = (...points: Point[]): Faces => [points];
 /** The sides of a box as sheets without thickness. */
 const room = (high: number): Faces => box([0, 0, 0], [9, high, 7]);
@@ -115,6 +118,7 @@ describe('the ceiling of closed rooms', () => {
     ['a table', { top: CEILING, legs: [...box([0, 0, 0], [0.3, 2.8, 0.3]), ...box([9.7, 0, 7.7], [10, 2.8, 8])] }],
     ['a hollow box', { outside: room(3), inside: box([0.3, 0.3, 0.3], [8.7, 2.7, 6.7]) }],
     ['a solid box', { box: room(3) }],
+    ['a prism that lies on a side', { prism: PRISM }],
     ['a plate', { plate: CEILING }],
     [
       'a building of two floors',
