@@ -205,6 +205,7 @@ export const OFFERS = {
     'files/common/ModelError.ts',
     'files/common/ModelExtras.ts',
     'files/common/Slices.ts',
+    'files/common/stages.ts',
     'files/pictures/decodePictures.ts',
     'files/formats.ts',
     'files/gltf/parseGltf.ts',

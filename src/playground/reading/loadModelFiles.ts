@@ -97,7 +97,7 @@ async function readHere(
   signal.throwIfAborted();
   if (!viewsFor) return model;
   const { withViews } = await import('../../viewer/views/withViews.js');
-  return withViews(model, viewsFor === 'file' ? read.upAxis : viewsFor);
+  return withViews(model, viewsFor === 'file' ? read.upAxis : viewsFor, onStage);
 }
 
 /** @throws NotStarted if there are no workers */

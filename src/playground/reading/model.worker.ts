@@ -2,17 +2,12 @@ import { runToEnd } from '../../mesh/phases.js';
 import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { toModelError } from '../../viewer/files/common/ModelError.js';
 import type { FileCamera } from '../../viewer/files/common/ModelExtras.js';
+import { type OnStage, reportStage } from '../../viewer/files/common/stages.js';
 import type { UpAxis } from '../../viewer/files/mesh/findUpAxis.js';
 import { checkTriangleCount, meshBuffers, triangleCount } from '../../viewer/files/mesh/PlainMesh.js';
 import { needsCoarse } from '../../viewer/files/mesh/plainNormals.js';
 import { withPictures } from '../../viewer/files/pictures/decodePictures.js';
-import {
-  type ModelFile,
-  type OnStage,
-  type ReadMesh,
-  type ReadModel,
-  readModel,
-} from '../../viewer/files/readModel.js';
+import { type ModelFile, type ReadMesh, type ReadModel, readModel } from '../../viewer/files/readModel.js';
 import { type CameraSight, cameraSights } from '../../viewer/views/cameraSights.js';
 import { type ChosenView, chooseViews } from '../../viewer/views/chooseViews.js';
 import type { ViewTriangles } from '../../viewer/views/viewSurface.js';
@@ -54,9 +49,6 @@ export type ModelWorkerMessage =
   | ({ kind: 'views' } & FoundViews)
   | { kind: 'failed'; sentence: string };
 
-/** The interval between progress messages, in milliseconds. */
-const STAGE_MS = 500;
-
 const post = (message: ModelWorkerMessage, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
 /** The buffers and bitmaps to transfer. Several pictures may share a bitmap. */
@@ -80,15 +72,8 @@ function postCoarse(model: ReadMesh): void {
 /** Simplifies a model. If that fails, the full model is used if it can be drawn. */
 async function lessOf(model: ReadMesh, onStage: OnStage, most?: number): Promise<ReadMesh> {
   const stage = `simplifying ${triangleCount(model.mesh).toLocaleString('en')} triangles`;
-  onStage(stage);
-  let said = performance.now();
-  const onProgress = (progress: number): void => {
-    if (performance.now() < said + STAGE_MS) return;
-    said = performance.now();
-    onStage(`${stage}: ${Math.floor(100 * progress)} %`);
-  };
   try {
-    return await simplified(model, onProgress, most);
+    return await simplified(model, reportStage(stage, onStage), most);
   } catch (error) {
     console.warn(`The model is drawn with all its triangles, because it could not be simplified. ${error}`);
     return model;
@@ -107,7 +92,7 @@ addEventListener('message', async ({ data }: MessageEvent<readonly ModelFile[] |
       'files' in data ? data : { files: data };
     const onStage: OnStage = (stage, bytes) => post({ kind: 'stage', stage, bytes });
     const read = withoutHeavyPictures(await readModel(files, onStage, PAGE_SURROUNDINGS, { variant, switched }));
-    const seen = viewsFor ? withViews(read, viewsFor === 'file' ? read.upAxis : viewsFor) : read;
+    const seen = viewsFor ? withViews(read, viewsFor === 'file' ? read.upAxis : viewsFor, onStage) : read;
     const model = await withPictures(seen, onStage, PAGE_SURROUNDINGS);
     const isLessDrawn = isTooFine(model, most);
     if (most === undefined && model.kind === 'mesh' && needsCoarse(model.mesh)) postCoarse(model);

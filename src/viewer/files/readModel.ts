@@ -9,6 +9,7 @@ import { counted, ModelError, shownName, toModelError } from './common/ModelErro
 import { type ModelExtras, movedExtras } from './common/ModelExtras.js';
 import { baseName, extensionOf, MAX_BYTES, type ModelFile, withoutGz } from './common/ModelFile.js';
 import { BITMAPS, type FindFile, type Surroundings } from './common/Surroundings.js';
+import { type OnStage, runStage } from './common/stages.js';
 import {
   COMPANION_EXTENSIONS,
   FORMATS,
@@ -39,10 +40,7 @@ import { gunzip, readArchive } from './readArchive.js';
 import { DISPLACEMENT_NOTE, type LoadedScene } from './scenes/LoadedScene.js';
 import { mergeScene } from './scenes/mergeScene.js';
 
-export type { ModelFile };
-
-/** Reports the current step in a few words, and its number of bytes if they exceed those of the files. */
-export type OnStage = (stage: string, bytes?: number) => void;
+export type { ModelFile, OnStage };
 
 /** A model that was read: one mesh, or the checked parts of a file that must stay a scene. */
 export type ReadModel = ReadMesh | ReadParts;
@@ -184,7 +182,8 @@ async function readMain(
   const { merged, toMesh } = mergedOf(content, wanted, parsed.notes);
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh: whole, broken } = cleanMesh(distinct);
-  const { mesh: oriented, turned } = isTurned ? orientMesh(whole) : { mesh: whole, turned: 0 };
+  const { mesh: oriented, turned } = facingOutward(whole, isTurned, onStage);
+  onStage('looking for the ground');
   const { stands, up, stood } = standingOf(oriented, toMesh, orientation);
   const { mesh, isOpened } = withoutCeiling(oriented, up, switched);
   const { centre, radius } = fitModel(mesh);
@@ -198,13 +197,11 @@ async function readMain(
   const missing = [...parsed.missing, ...lacks.missing];
   return {
     kind: 'mesh',
-    name,
-    upAxis: up,
+    ...{ name, upAxis: up, stands },
     mesh: withCastingSides(withClearRanges(mesh, clear)),
     pictures,
     plainNormals: normals,
     hidesBacks: normals !== null && hidesBacks(mesh),
-    stands,
     extras: extras && movedExtras(extras, fitOf(centre, radius)),
     missing,
     lostPictures: (parsed.lostPictures ?? 0) + lostPictures,
@@ -226,6 +223,12 @@ async function readMain(
     ],
   };
 }
+
+/** The mesh with the triangles turned that face inward, if any are to be. */
+const facingOutward = (mesh: PlainMesh, isTurned: boolean, onStage: OnStage): { mesh: PlainMesh; turned: number } =>
+  isTurned
+    ? orientMesh(mesh, (task) => runStage('looking for triangles that face inward', onStage, task))
+    : { mesh, turned: 0 };
 
 /** The mesh of a format's content, and the matrix from its space. */
 function mergedOf(

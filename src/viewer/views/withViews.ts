@@ -1,4 +1,4 @@
-import { runToEnd } from '../../mesh/phases.js';
+import { type OnStage, runStage } from '../files/common/stages.js';
 import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import { oneSided } from '../files/mesh/PlainMesh.js';
 import type { ReadModel } from '../files/readModel.js';
@@ -11,11 +11,11 @@ import { chooseViews } from './chooseViews.js';
  *
  * @param up the axis that points up
  */
-export function withViews(read: ReadModel, up: UpAxis): ReadModel {
+export function withViews(read: ReadModel, up: UpAxis, onStage: OnStage): ReadModel {
   if (read.kind !== 'mesh') return read;
   const { positions, indices } = read.mesh;
   const triangles = { positions, indices, isSingleSided: oneSided(read.mesh) };
-  const views = runToEnd(chooseViews(triangles, up));
+  const views = runStage('looking for a view', onStage, chooseViews(triangles, up));
   if (!read.extras) return { ...read, views };
   const { extras } = read;
   const { cameras, details } = sightedCameras(extras.cameras, cameraSights(triangles, extras.cameras));

@@ -73,11 +73,11 @@ function hexByte(bytes: Uint8Array, at: number): number {
 }
 
 const SECONDS = 20;
-const SECONDS_PER_MEGABYTE = 0.5;
+const SECONDS_PER_MEGABYTE = 2;
 
 /**
  * The seconds after which a reader without progress is stopped. Some parsers report nothing before they finish, so larger files get longer:
- * even text is read at some megabytes per second.
+ * text is read at a few megabytes per second, and at a tenth of that on a slow machine that draws meanwhile.
  *
  * @param bytes of the unpacked input
  */

@@ -3,17 +3,21 @@ import { normalsToTurn, turnTriangles } from '../../../mesh/orientation/turnTria
 import { runToEnd } from '../../../mesh/phases.js';
 import type { PlainMesh } from './PlainMesh.js';
 
+/** Runs a task that yields its progress in [0, 1] to its end at once. */
+type Run = <Result>(task: Generator<number, Result, void>) => Result;
+
 /**
  * Turns the triangles that face the wrong way, in copies of the arrays that change, and with them the normals that point to the side that
  * is the back now. A vertex that a turned and another triangle share becomes two.
  *
+ * @param run finds them, and may report how far that is
  * @returns the mesh, and the number of triangles that were turned
  */
-export function orientMesh(mesh: PlainMesh): { mesh: PlainMesh; turned: number } {
+export function orientMesh(mesh: PlainMesh, run: Run = runToEnd): { mesh: PlainMesh; turned: number } {
   const indices = mesh.indices
     ? new Uint32Array(mesh.indices)
     : Uint32Array.from({ length: mesh.positions.length / 3 }, (_, i) => i);
-  const isTurned = runToEnd(orientTriangles({ positions: new Float32Array(mesh.positions), indices }));
+  const isTurned = run(orientTriangles({ positions: new Float32Array(mesh.positions), indices }));
   const turned = isTurned.reduce((sum, one) => sum + one, 0);
   if (turned === 0) return { mesh, turned };
   const copies = turnTriangles(indices, isTurned, mesh.positions.length / 3);

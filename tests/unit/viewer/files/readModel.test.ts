@@ -31,6 +31,18 @@ describe('what the caption says', () => {
     ]);
   });
 
+  test('each step on the triangles of a file is reported', async () => {
+    const stages: string[] = [];
+    await readModel([{ name: 'a.obj', content: new Blob([box]) }], (stage) => void stages.push(stage));
+    expect(stages).toEqual([
+      'reading a.obj',
+      'reading a.obj',
+      'looking over the triangles',
+      'looking for triangles that face inward',
+      'looking for the ground',
+    ]);
+  });
+
   test.each([
     ['slivers', 1e-5, 2, true],
     ['thin strips that can be seen', 1e-2, 2, false],

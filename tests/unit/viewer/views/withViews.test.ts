@@ -17,7 +17,7 @@ function room(): PlainMesh {
 }
 
 const firstElevation = (mesh: PlainMesh): number => {
-  const read = withViews({ kind: 'mesh', mesh, upAxis: 'y' } as ReadMesh, 'y') as ReadMesh;
+  const read = withViews({ kind: 'mesh', mesh, upAxis: 'y' } as ReadMesh, 'y', () => {}) as ReadMesh;
   return read.views![0].elevation;
 };
 
@@ -45,12 +45,14 @@ test('cameras that see nothing are left out, and that is said', () => {
   const above: FileCamera = { ...camera, name: 'above', position: [0, 3, 0] };
   const extras = { ...NO_EXTRAS, cameras: [above, camera], variants: ['red'] };
   const given = { kind: 'mesh', mesh: room(), upAxis: 'y', extras, details: ['first'] } as unknown as ReadMesh;
-  const read = withViews(given, 'y');
+  const stages: string[] = [];
+  const read = withViews(given, 'y', (stage) => void stages.push(stage));
   expect(read.extras).toEqual({ ...extras, cameras: [camera] });
   expect(read.details).toEqual(['first', '1 camera left out, from which nothing of the model is seen']);
+  expect(stages[0]).toBe('looking for a view');
 });
 
 test('a model in parts has no views yet', () => {
   const parts = { kind: 'parts' } as never;
-  expect(withViews(parts, 'y')).toBe(parts);
+  expect(withViews(parts, 'y', () => {})).toBe(parts);
 });
