@@ -5,6 +5,7 @@
  */
 export const OFFERS = {
   mesh: [
+    'computeAreaNormals.ts',
     'corners.ts',
     'disjointSets.ts',
     'parallelProjection.ts',

@@ -25,6 +25,7 @@ import { cleanMesh } from './mesh/cleanMesh.js';
 import { dropDuplicates } from './mesh/dropDuplicates.js';
 import { findUpAxis, type UpAxis, type UsualUp, upOnMap } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
+import { hasWrongNormals } from './mesh/hasWrongNormals.js';
 import { openCeiling } from './mesh/openCeiling.js';
 import { orientMesh } from './mesh/orientMesh.js';
 import { type NotedMesh, type PlainMesh, thinNote } from './mesh/PlainMesh.js';
@@ -182,7 +183,7 @@ async function readMain(
   const { merged, toMesh } = mergedOf(content, wanted, parsed.notes);
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh: whole, broken } = cleanMesh(distinct);
-  const { mesh: oriented, turned } = facingOutward(whole, isTurned, onStage);
+  const { mesh: oriented, changes: faced } = isTurned ? facingRight(whole, onStage) : { mesh: whole, changes: [] };
   onStage('looking for the ground');
   const { stands, up, stood } = standingOf(oriented, toMesh, orientation);
   const { mesh, isOpened } = withoutCeiling(oriented, up, switched);
@@ -197,7 +198,9 @@ async function readMain(
   const missing = [...parsed.missing, ...lacks.missing];
   return {
     kind: 'mesh',
-    ...{ name, upAxis: up, stands },
+    name,
+    upAxis: up,
+    stands,
     mesh: withCastingSides(withClearRanges(mesh, clear)),
     pictures,
     plainNormals: normals,
@@ -217,18 +220,12 @@ async function readMain(
     changes: [
       ...stood,
       ...ofReader,
-      ...turnedChange(turned),
+      ...faced,
       ...sidesChange(switched.includes('sides') && format.isSideCertain === true),
       ...ceilingChange(isOpened),
     ],
   };
 }
-
-/** The mesh with the triangles turned that face inward, if any are to be. */
-const facingOutward = (mesh: PlainMesh, isTurned: boolean, onStage: OnStage): { mesh: PlainMesh; turned: number } =>
-  isTurned
-    ? orientMesh(mesh, (task) => runStage('looking for triangles that face inward', onStage, task))
-    : { mesh, turned: 0 };
 
 /** The mesh of a format's content, and the matrix from its space. */
 function mergedOf(
@@ -315,6 +312,17 @@ const turnedChange = (triangles: number): FileChange[] =>
   triangles === 0
     ? []
     : [{ kind: 'orientation', sentence: `${counted(triangles, 'triangle', 'that faced inward')} turned around` }];
+
+/** Turns the triangles that face the wrong way, and leaves out normals that contradict the triangles. */
+function facingRight(mesh: PlainMesh, onStage: OnStage): { mesh: PlainMesh; changes: FileChange[] } {
+  const { mesh: oriented, turned } = orientMesh(mesh, (task) =>
+    runStage('looking for triangles that face inward', onStage, task),
+  );
+  const changes = turnedChange(turned);
+  if (!hasWrongNormals(oriented)) return { mesh: oriented, changes };
+  const sentence = 'normals that contradict its surfaces computed again';
+  return { mesh: { ...oriented, normals: null }, changes: [...changes, { kind: 'orientation', sentence }] };
+}
 
 const sidesChange = (hasBothSides: boolean): FileChange[] =>
   hasBothSides ? [{ kind: 'sides', sentence: 'surfaces are drawn from both sides, also one-sided ones' }] : [];

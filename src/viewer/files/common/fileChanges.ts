@@ -8,7 +8,7 @@ export const FILE_CHANGE_KINDS = ['orientation', 'sides', 'up', 'hidden', 'ceili
  *
  * | kind | the reader | usually |
  * | --- | --- | --- |
- * | `orientation` | turns triangles that face the wrong way | done |
+ * | `orientation` | turns triangles that face the wrong way, and computes normals again that contradict them | done |
  * | `sides` | draws both sides of surfaces, also where a glTF file has one | not done |
  * | `up` | stands the model up, because its format or its shape suggests so | done |
  * | `hidden` | leaves out parts that are hidden in the file | done |

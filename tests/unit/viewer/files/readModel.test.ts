@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { readModel } from '../../../../src/viewer/files/readModel.js';
+import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
 import { colouredBoxObj, measure, read } from '../../../../tools/modelFiles/modelWriters.js';
 
 describe('what the caption says', () => {
@@ -54,6 +54,28 @@ describe('what the caption says', () => {
     });
     const { notes } = await read(['a.obj', triangles.join('\n')]);
     expect(notes).toEqual(isThin ? ['its triangles are too thin to be hatched'] : []);
+  });
+});
+
+describe('normals of a file', () => {
+  const box = colouredBoxObj.replace('mtllib box.mtl\n', '');
+  /** The box with one normal at all corners. */
+  const withNormal = (normal: string): string =>
+    `vn ${normal}\n${box.replace(/^f (.*)$/gm, (_, rest: string) => `f ${rest.replace(/(\d+)(?:\/\S*)?/g, '$1//1')}`)}`;
+
+  test('are computed again where they contradict the surface, which is said behind "i"', async () => {
+    const { mesh, changes } = (await read(['a.obj', withNormal('0 0 1')])) as ReadMesh;
+    expect(mesh.normals).toBeNull();
+    expect(changes).toEqual([{ kind: 'orientation', sentence: 'normals that contradict its surfaces computed again' }]);
+  });
+
+  test('are kept where they lean less, or if that is asked for', async () => {
+    const { mesh, changes } = (await read(['a.obj', withNormal('1 1 1')])) as ReadMesh;
+    expect(mesh.normals![0]).toBeCloseTo(3 ** -0.5, 6);
+    expect(changes).toEqual([]);
+    const file = { name: 'a.obj', content: new Blob([withNormal('0 0 1')]) };
+    const asWritten = await readModel([file], () => {}, undefined, { switched: ['orientation'] });
+    expect([...(asWritten as ReadMesh).mesh.normals!.slice(0, 3)]).toEqual([0, 0, 1]);
   });
 });
 
