@@ -36,11 +36,16 @@ export interface OcclusionScene {
   indices: Uint32Array<ArrayBuffer>;
   /** The number of triangles of which both sides occlude. */
   twoSided: number;
-  /** x, y, z of each sample: a position on a surface where occlusion is measured, lifted off it by a pixel of its view. */
+  /**
+   * x, y, z of each sample: a position on a surface where occlusion is measured, lifted off it by a pixel of its view. First come those of
+   * vertices, then those within large flat triangles, each of which stands for a vertex.
+   */
   samplePositions: Float32Array<ArrayBuffer>;
-  /** The unit normal of each sample; zero if it has none. */
+  /** The unit normal of each sample of a vertex; zero if it has none. */
   sampleNormals: Float32Array<ArrayBuffer>;
-  /** Two sums for each sample: the cosines of all directions so far, and the cosines of those in which the sky is visible. */
+  /** For each sample within a triangle the sample of the vertex that it stands for. */
+  standsFor: Uint32Array<ArrayBuffer>;
+  /** Two sums for each sample of a vertex: the cosines of all directions so far, and the cosines of those in which the sky is visible. */
   sums: Float32Array<ArrayBuffer>;
   views: OcclusionView[];
   /** For each mesh with normals the sample of each vertex, or NO_SAMPLE; where both sides are drawn, that of the front. */

@@ -50,26 +50,28 @@ export function* addDirections({
 
 function lookUp(
   { highest, lowest }: DepthMaps,
-  { samplePositions, sampleNormals, sums }: OcclusionScene,
+  { samplePositions, sampleNormals, standsFor, sums }: OcclusionScene,
   { samples }: OcclusionView,
   p: Projection,
   start: number,
   end: number,
 ): void {
   const size = MAP_SIZE;
+  const vertices = sums.length / 2;
   for (let i = start; i < end; i++) {
     const sample = samples[i];
-    const at = 3 * sample;
-    const cosine = p[8] * sampleNormals[at] + p[9] * sampleNormals[at + 1] + p[10] * sampleNormals[at + 2];
-    const x = samplePositions[at];
-    const y = samplePositions[at + 1];
-    const z = samplePositions[at + 2];
+    const vertex = sample < vertices ? sample : standsFor[sample - vertices];
+    const cosine =
+      p[8] * sampleNormals[3 * vertex] + p[9] * sampleNormals[3 * vertex + 1] + p[10] * sampleNormals[3 * vertex + 2];
+    const x = samplePositions[3 * sample];
+    const y = samplePositions[3 * sample + 1];
+    const z = samplePositions[3 * sample + 2];
     const column = Math.floor(p[0] * x + p[1] * y + p[2] * z + p[3]);
     const row = Math.floor(p[4] * x + p[5] * y + p[6] * z + p[7]);
     const depth = p[8] * x + p[9] * y + p[10] * z + p[11];
     const pixel = row * size + column;
-    sums[2 * sample] += Math.abs(cosine);
-    if (cosine > 0 ? !(highest[pixel] > depth) : !(lowest[pixel] < depth)) sums[2 * sample + 1] += Math.abs(cosine);
+    sums[2 * vertex] += Math.abs(cosine);
+    if (cosine > 0 ? !(highest[pixel] > depth) : !(lowest[pixel] < depth)) sums[2 * vertex + 1] += Math.abs(cosine);
   }
 }
 

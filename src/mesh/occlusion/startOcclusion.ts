@@ -10,6 +10,7 @@ import {
   type OcclusionScene,
   type OcclusionView,
 } from './OcclusionScene.js';
+import { samplesWithin } from './samplesWithin.js';
 
 /**
  * Lift of samples off their surface along the normal, in pixels. A map holds the depth at the middle of a pixel, which is at most 0.71
@@ -85,7 +86,30 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
       }
     }
   }
-  return { ...scene, sums, views };
+  const { within, standsFor } = yield* samplesWithin(
+    meshes.filter(({ normals }) => normals !== null),
+    { ...scene, sums, views },
+  );
+  addToViews(views, within, firstOfBack);
+  return {
+    ...scene,
+    samplePositions: joined(Float32Array, [scene.samplePositions, Float32Array.from(within)]),
+    standsFor: Uint32Array.from(standsFor),
+    sums,
+    views,
+  };
+}
+
+/** Adds samples to the view of the bulk where they lie in it, and others to the view of what lies far out. @param first number of the first */
+function addToViews(views: readonly OcclusionView[], positions: readonly number[], first: number): void {
+  const [{ center, radius }] = views;
+  const isNear = (sample: number): boolean =>
+    Math.hypot(...center.map((middle, axis) => positions[3 * (sample - first) + axis] - middle)) < radius;
+  const added = Uint32Array.from({ length: positions.length / 3 }, (_, i) => first + i);
+  for (const [i, view] of views.entries()) {
+    const own = views.length === 1 ? added : added.filter((sample) => isNear(sample) === (i === 0));
+    view.samples = joined<typeof own>(Uint32Array, [view.samples, own]);
+  }
 }
 
 /** The samples of the back of a surface, in the order of those of its front. */

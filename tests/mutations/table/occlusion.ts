@@ -24,6 +24,17 @@ export const occlusion: readonly Mutation[] = [
     },
   },
   {
+    name: 'large triangles are measured at their corners alone',
+    file: 'src/mesh/occlusion/samplesWithin.ts',
+    find: 'LARGE = 0.04',
+    replace: 'LARGE = 4000',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/occlusion/occlusion.test.ts',
+      title: 'that is drawn from both sides is lit on each',
+    },
+  },
+  {
     name: 'mirrored meshes are dark outside',
     file: 'src/mesh/occlusion/startOcclusion.ts',
     find: 'sign * Math.sign(',

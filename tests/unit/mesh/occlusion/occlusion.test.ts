@@ -151,6 +151,35 @@ describe('what must not darken', () => {
   });
 });
 
+describe('a floor of two triangles', () => {
+  const floor = () => new PlaneGeometry(2, 2).rotateX(-Math.PI / 2);
+  const posts = () =>
+    [-1, 1].flatMap((x) => [-1, 1].map((z) => meshOf(new BoxGeometry(0.3, 0.4, 0.3).translate(x, 0.2, z))));
+
+  test.each<[string, OcclusionMesh]>([
+    ['its front', meshOf(floor())],
+    ['its back', meshOf(floor().rotateX(Math.PI), { sides: 'back' })],
+  ])('whose corners lie under posts is lit, since it is open between them: %s', (_, mesh) => {
+    const [values] = bakeOf([mesh, ...posts()], 64).occlusions;
+    // The corners themselves see nothing; two places within each triangle nearly everything.
+    for (const value of values) expect(value).toBeLessThan(0.45);
+    expect(Math.min(...values)).toBeGreaterThan(0.19);
+  });
+
+  test('that is drawn from both sides is lit on each', () => {
+    const below = posts().map((post) => ({ ...post, toWorld: new Matrix4().makeTranslation(0, -0.4, 0).toArray() }));
+    const scene = finish(startOcclusion({ meshes: [meshOf(floor(), { sides: 'both' }), ...posts(), ...below] }));
+    const { occlusions } = finish(addDirections({ scene, pairs: pairsFrom(0, 64) }));
+    for (const isBack of [false, true]) expect(largest(sideOf(occlusions[0], isBack))).toBeLessThan(0.45);
+  });
+
+  test('under a roof is dark, although its corners reach beyond', () => {
+    const roof = meshOf(new PlaneGeometry(1.9, 1.9).rotateX(Math.PI / 2).translate(0, 0.05, 0));
+    const [values] = bakeOf([meshOf(floor()), roof], 64).occlusions;
+    for (const value of values) expect(value).toBeGreaterThan(0.5);
+  });
+});
+
 describe('a box seen from within', () => {
   const floorOf = (sides: number, options: Partial<OcclusionMesh> = {}) => {
     const geometry = new BoxGeometry(1, 1, 1, 4, 4, 4).toNonIndexed();
@@ -331,7 +360,8 @@ describe('meshes', () => {
     const [floor, wall] = corner();
     const ground = meshOf(new PlaneGeometry(400, 400).rotateX(-Math.PI / 2).translate(0, -0.01, 0));
     const { occlusions, scene } = bakeOf([meshOf(floor), meshOf(wall), ground], 64);
-    expect(scene.views.map(({ samples }) => samples.length)).toEqual([65 * 129 + 129 * 33, 4]);
+    // Two places stand for each corner of the two triangles of the ground.
+    expect(scene.views.map(({ samples }) => samples.length)).toEqual([65 * 129 + 129 * 33, 4 + 2 * 6]);
     const [alone] = bakeOf([meshOf(floor), meshOf(wall)], 64).occlusions;
     expect(mean(occlusions[0].map((value, i) => Math.abs(value - alone[i])))).toBeLessThan(0.01);
     expect(largest(occlusions[2])).toBe(0);
