@@ -179,8 +179,7 @@ async function readMain(
     };
   }
   onStage('looking over the triangles');
-  const wanted: WantedPicture[] = [];
-  const { merged, toMesh } = mergedOf(content, wanted, parsed.notes);
+  const { merged, toMesh, wanted } = mergedOf(content, parsed.notes);
   const { mesh: distinct, duplicates } = dropDuplicates(merged);
   const { mesh: whole, broken } = cleanMesh(distinct);
   const { mesh: oriented, changes: faced } = isTurned ? facingRight(whole, onStage) : { mesh: whole, changes: [] };
@@ -227,14 +226,15 @@ async function readMain(
   };
 }
 
-/** The mesh of a format's content, and the matrix from its space. */
+/** The mesh of a format's content, the matrix from its space, and the pictures that it wants. */
 function mergedOf(
   content: PlainMesh | Object3D,
-  wanted: WantedPicture[],
   notes: string[],
-): { merged: PlainMesh; toMesh: Matrix4 } {
+): { merged: PlainMesh; toMesh: Matrix4; wanted: WantedPicture[] } {
+  const wanted: WantedPicture[] = [];
   const toMesh = new Matrix4();
-  return { merged: 'isObject3D' in content ? mergeScene(content, wanted, toMesh, notes) : content, toMesh };
+  const merged = 'isObject3D' in content ? mergeScene(content, wanted, toMesh, notes) : content;
+  return { merged, toMesh, wanted };
 }
 
 /** Finds files by the URIs of others. */
