@@ -26,12 +26,17 @@ const TABLES = [
 const lineConstantsChunk = (): string =>
   [...TABLES.map((table) => definesOf(table)), definesOf(HASH_FACTORS, 'u')].join('\n');
 
-/** The techniques `engraving`, `pen` and `woodcut`. */
+/** The techniques `engraving` and `pen`, and what they share with `woodcut`. */
 export const part: MaterialPart = {
   surface,
   files: {
     ...import.meta.glob<string>(
-      ['./techniques/lines/*', './chunks/lineCoverage.glsl', './perFragment/screenGradient.glsl'],
+      [
+        './techniques/lines/*',
+        '!./techniques/lines/carving.glsl',
+        './chunks/lineCoverage.glsl',
+        './perFragment/screenGradient.glsl',
+      ],
       { base: '../../../shaders', query: '?raw', import: 'default', eager: true },
     ),
     './techniques/lines/constants.glsl': lineConstantsChunk(),

@@ -11,19 +11,11 @@ const FETCH = {
   stipple: (): Imports => [import('./strokes.js'), import('./stipple.js')],
   lines: (): Imports => [import('./lines.js')],
   handStrokes: (): Imports => [import('./lines.js'), import('./handStrokes.js')],
+  woodcut: (): Imports => [import('./lines.js'), import('./woodcut.js')],
   perTriangle: (): Imports => [import('./perTriangle.js')],
 };
 
 export type PartName = keyof typeof FETCH;
-
-const NAMES: Readonly<Record<PartName, string>> = {
-  strokes: 'strokes of ink',
-  dryMedia: 'the technique "dryMedia"',
-  stipple: 'the technique "stipple"',
-  lines: 'the techniques "engraving", "pen" and "woodcut"',
-  handStrokes: 'the strokes of a hand',
-  perTriangle: 'the techniques "triangle" and "adjacency"',
-};
 
 const fetched = /* @__PURE__ */ new Map<PartName, MaterialPart>();
 const fetching = /* @__PURE__ */ new Map<PartName, Promise<MaterialPart>>();
@@ -31,7 +23,9 @@ const fetching = /* @__PURE__ */ new Map<PartName, Promise<MaterialPart>>();
 /** The part that a technique needs, with or without a hand. */
 export function partNameOf(technique: HatchingTechnique, hand: unknown = null): PartName {
   if (technique === 'pen' && hand !== null) return 'handStrokes';
-  return technique === 'dryMedia' || technique === 'stipple' ? technique : familyOf(technique);
+  return technique === 'dryMedia' || technique === 'stipple' || technique === 'woodcut'
+    ? technique
+    : familyOf(technique);
 }
 
 /** The properties that decide which part a material needs. */
@@ -78,7 +72,7 @@ export function fetchPart(name: PartName): Promise<MaterialPart> {
 
 const failure = (name: PartName, cause: unknown): Error =>
   new Error(
-    `HatchingMaterial: the code that draws ${NAMES[name]} could not be fetched (${cause instanceof Error ? cause.message : String(cause)}); surfaces stay as they are. Serve all files of the package; the next material, or "ready", tries again.`,
+    `HatchingMaterial: the code that draws "${name}" could not be fetched (${cause instanceof Error ? cause.message : String(cause)}); surfaces stay as they are. Serve all files of the package; the next material, or "ready", tries again.`,
     { cause },
   );
 

@@ -29,7 +29,12 @@ const files: ShaderFiles = import.meta.glob(
 );
 
 /** Chunks of techniques and of shadows on a ground, included by name, that are empty without them. */
-const ABSENT: Readonly<Record<string, string>> = { dryMedia: '', 'technique/stipple': '', softShadows: '' };
+const ABSENT: Readonly<Record<string, string>> = {
+  dryMedia: '',
+  softShadows: '',
+  'technique/stipple': '',
+  'technique/carving': '',
+};
 
 // Shaders are resolved on first use, so that a page that never hatches does no work, and a bundler may leave this out.
 const made = new Map<ShaderFiles, Partial<Record<TechniqueFolder, Shaders>>>();
