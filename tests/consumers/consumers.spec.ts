@@ -77,8 +77,8 @@ const MOST_BYTES = [
 
 /** The same bytes of pages that draw with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 38_500],
-  ['HatchingNodeMaterial, applyHatching', 51_000],
+  ['HatchingNodeMaterial', 39_000],
+  ['HatchingNodeMaterial, applyHatching', 51_200],
   ['HatchingOutlines', 46_400],
 ] as const;
 

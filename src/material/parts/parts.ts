@@ -72,7 +72,7 @@ export function fetchPart(name: PartName): Promise<MaterialPart> {
 
 const failure = (name: PartName, cause: unknown): Error =>
   new Error(
-    `HatchingMaterial: the code that draws "${name}" could not be fetched (${cause instanceof Error ? cause.message : String(cause)}); surfaces stay as they are. Serve all files of the package; the next material, or "ready", tries again.`,
+    `HatchingMaterial: the code that draws "${name}" could not be fetched (${cause instanceof Error ? cause.message : String(cause)}). Serve all files of the package; the next material, or "ready", tries again.`,
     { cause },
   );
 

@@ -75,7 +75,7 @@ describe('code that is fetched when a material first uses it', () => {
     const errors = vi.spyOn(console, 'error').mockImplementation(() => {});
     const { HatchingMaterial } = await import('../../../src/material/HatchingMaterial.js');
     const material = new HatchingMaterial({ technique: 'engraving' });
-    const sentence = /^HatchingMaterial: the code that draws "lines" could not be fetched \(.*\); .*Serve all/s;
+    const sentence = /^HatchingMaterial: the code that draws "lines" could not be fetched \(.*\)\. Serve all/s;
     await expect(material.ready).rejects.toThrow(sentence);
     expect(errors.mock.calls).toEqual([[expect.stringMatching(sentence)]]);
     vi.doUnmock('../../../src/material/parts/lines.js');
