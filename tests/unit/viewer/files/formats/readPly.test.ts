@@ -196,14 +196,17 @@ describe.each(FORMATS)('PLY, %s', (format) => {
           {
             ...boxVertices,
             properties: [...XYZ, 'float nx', 'float ny', 'float nz'],
-            rows: BOX_CORNERS.map((corner, i) => [...corner, 0, 0, i === 0 ? 0 : 5]),
+            rows: BOX_CORNERS.map((corner, i) => [...corner, ...corner.map((at) => (i === 0 ? 0 : 10 * at - 5))]),
           },
           boxFaces,
         ],
         format,
       ),
     ]);
-    expect([...mesh.normals!.subarray(0, 6)]).toEqual([0, 0, 0, 0, 0, 1]);
+    expect([...mesh.normals!.subarray(0, 3)]).toEqual([0, 0, 0]);
+    expect(mesh.normals![3]).toBeCloseTo(1 / Math.sqrt(3), 6);
+    expect(mesh.normals![4]).toBeCloseTo(-1 / Math.sqrt(3), 6);
+    expect(mesh.normals![5]).toBeCloseTo(-1 / Math.sqrt(3), 6);
   });
 
   test('what is cut short is said so', async () => {
