@@ -269,18 +269,18 @@ test('without drawing: a given hand is chosen and varied by keyboard, and the mo
   const given = sheetOf(page).getByRole('combobox', { name: 'Begin from' });
   await given.focus();
   await page.keyboard.press('ArrowDown');
-  await expect(given.locator('option:checked')).toHaveText('a steel pen');
+  await expect(given.locator('option:checked')).toHaveText('a pointed brush');
   await expect.poll(async () => (await readDrawing(page)).data.equals(before.data)).toBe(false);
-  const fine = await readDrawing(page);
-  await page.keyboard.press('ArrowDown');
-  await expect(given.locator('option:checked')).toHaveText('a brush');
-  await expect.poll(async () => (await readDrawing(page)).data.equals(fine.data)).toBe(false);
   const brush = await readDrawing(page);
+  await page.keyboard.press('ArrowDown');
+  await expect(given.locator('option:checked')).toHaveText('a dry brush');
+  await expect.poll(async () => (await readDrawing(page)).data.equals(brush.data)).toBe(false);
+  const dry = await readDrawing(page);
   const length = await numberOf(page, 'Length');
   await sheetOf(page).getByRole('slider', { name: 'Length', exact: true }).focus();
   await page.keyboard.press('Home');
   expect(await numberOf(page, 'Length')).toBeLessThan(length);
-  await expect.poll(async () => (await readDrawing(page)).data.equals(brush.data)).toBe(false);
+  await expect.poll(async () => (await readDrawing(page)).data.equals(dry.data)).toBe(false);
   // The varied hand is none of the given hands.
   await expect(given.locator('option:checked')).toHaveText('an empty sheet');
 });

@@ -27,6 +27,12 @@ const axisOf = (up: UpAxis): [axis: 0 | 1 | 2, sign: 1 | -1] => [
   up.startsWith('-') ? -1 : 1,
 ];
 
+/** Whether a part of a ceiling is see-through: it hides nothing then. */
+const isOfGlass = ({ ranges }: PlainMesh, ceiling: Uint8Array): boolean =>
+  ranges?.some(
+    ({ start, count, isSeeThrough }) => isSeeThrough && ceiling.subarray(start / 3, (start + count) / 3).includes(1),
+  ) ?? false;
+
 /**
  * Leaves out the ceiling of closed rooms, so that they are seen into from above: a flat lid over walls, which hides a floor at the bottom
  * with things on it. Houses with pitched roofs, open halls and buildings of several floors stay as they are.
@@ -37,7 +43,7 @@ const axisOf = (up: UpAxis): [axis: 0 | 1 | 2, sign: 1 | -1] => [
 export function openCeiling(mesh: PlainMesh, up: UpAxis): PlainMesh | undefined {
   const ceiling = findCeiling(mesh, up);
   // A plate is nothing but a lid.
-  if (!ceiling?.includes(1) || !ceiling.includes(0)) return undefined;
+  if (!ceiling?.includes(1) || !ceiling.includes(0) || isOfGlass(mesh, ceiling)) return undefined;
   const closed = surfaceOf(mesh, up);
   if (!isCovered(planOf(closed)) || !isClosed(closed)) return undefined;
   const open = withBothSides(withoutTriangles(mesh, ceiling));
