@@ -29,6 +29,7 @@ vi.mock('../../../../src/playground/reading/loadModelFiles.js', () => ({
 vi.mock('../../../../src/playground/loading/lightModel.js', () => ({
   FileLights: class {
     light(): void {}
+    lookThroughCamera(): void {}
     viewsOf = () => ({ views: [], notes: [] });
   },
 }));
