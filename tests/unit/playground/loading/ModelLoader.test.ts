@@ -39,7 +39,7 @@ vi.mock('../../../../src/viewer/drawing/buildModel.js', () => ({
 }));
 
 const statistics = { triangles: 1, borderEdges: 0 };
-const built = () => ({ root: new Group(), extras: { variants: [] }, statistics, dispose: vi.fn() });
+const built = () => ({ root: new Group(), extras: { variants: [], cameras: [] }, statistics, dispose: vi.fn() });
 
 /** A mesh as a reader returns it, large enough for a placeholder. */
 const read = (name: string) => ({
