@@ -1,3 +1,4 @@
+import { runToEnd } from '../mesh/phases.js';
 import { checkHand } from './hand/checkHand.js';
 import type { Hand, HandNumbers, SwatchTone } from './hand/Hand.js';
 import { HAND_TEXTURE, MOST_REACH } from './handConstants.js';
@@ -117,11 +118,7 @@ function preparedAtOnce(hand: Hand): PreparedHand {
   const { strokes } = hand;
   const every = Math.max(1, strokes.length / MOST_PROFILES);
   const selected = Array.from({ length: Math.floor(strokes.length / every) }, (_, i) => strokes[Math.floor(i * every)]);
-  const steps = prepareHand({ ...hand, strokes: selected }, 'HatchingMaterial');
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done) return value;
-  }
+  return runToEnd(prepareHand({ ...hand, strokes: selected }, 'HatchingMaterial'));
 }
 
 type Shape = PreparedHand['shapes'][number];

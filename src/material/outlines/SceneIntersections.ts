@@ -3,6 +3,7 @@ import type { PackedSurface } from '../../mesh/intersections/intersectOutlines.j
 import { MOST_TRIANGLES, pairsOf } from '../../mesh/intersections/pairsOf.js';
 import { runTask } from '../../worker/runTask.js';
 import type { TaskOptions } from '../../worker/TaskOptions.js';
+import { FrameStamp } from '../FrameStamp.js';
 import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
 import { MeetingLines, type NewPart, relativeTo } from './MeetingLines.js';
@@ -38,8 +39,17 @@ class SceneIntersections {
   private readonly members = new Map<IntersectingOutlines, Member>();
   private timer: ReturnType<typeof setTimeout> | undefined;
   private search: Promise<void> | null = null;
+  /** The frame in which it was last looked for parts that move. */
+  private readonly looked = new FrameStamp();
 
   constructor(readonly root: Object3D) {}
+
+  /** Whether parts move against each other. It is found out once in a frame, by the first outlines that ask. */
+  beginsToMove(renderer: WebGLRenderer, camera: Camera): boolean {
+    if (this.looked.isOf(renderer, camera)) return false;
+    this.looked.note(renderer, camera);
+    return numberParts(this.parts, this.root) > 1;
+  }
 
   /** Notes where a mesh is. Allocates nothing while it rests. */
   note(outlines: IntersectingOutlines): Member {
@@ -194,9 +204,10 @@ let isFetching = false;
 
 /** Draws the lines where the parts of a scene meet that move against each other. Fetches the code when the first ones do. */
 export function drawMoving(outlines: DrawnOutlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
-  const { parts, root } = sceneOf(topOf(outlines.mesh!));
+  const intersections = sceneOf(topOf(outlines.mesh!));
+  const { parts, root } = intersections;
   if (moving) moving.drawMovingLines(outlines, parts, root, renderer, scene, camera);
-  else if (!isFetching && numberParts(parts, root) > 1) fetchMoving(root).catch(() => {});
+  else if (!isFetching && intersections.beginsToMove(renderer, camera)) fetchMoving(root).catch(() => {});
 }
 
 async function fetchMoving(root: Object3D): Promise<void> {

@@ -1,6 +1,5 @@
 import { runsAway } from '../../look/queries.js';
 import { HAND_STROKE_CONSTANTS, HAND_TEXTURE, MOST_ROWS } from '../../strokes/handConstants.js';
-import { strokeProfiles } from '../../strokes/strokeProfiles.js';
 import { definesOf } from '../shaders/shaderText.js';
 import { HandTextures } from '../tam/HandTextures.js';
 import type { MaterialPart } from './MaterialPart.js';
@@ -30,7 +29,7 @@ export const part: MaterialPart = {
     ].join('\n'),
   },
   checkHand(hand) {
-    strokeProfiles(hand);
+    textures.check(hand);
   },
   writeUniforms(u, material, pixelRatio) {
     const { hand, screenSpaceShare, strokeWidth } = material;

@@ -19,6 +19,18 @@ export class HandTextures {
   private readonly drawn = new WeakMap<Hand, DrawnHand>();
   /** The hand of each material. */
   private readonly chosen = new WeakMap<Material, Hand>();
+  /** The strokes of the hand that was last checked, until they are drawn. */
+  private checked: { readonly hand: Hand; readonly profiles: StrokeProfiles } | null = null;
+
+  /**
+   * Prepares the strokes of a hand that is about to be drawn, unless they are.
+   *
+   * @throws TypeError or RangeError with the fault of the hand
+   */
+  check(hand: Hand): void {
+    if (this.drawn.has(hand) || this.checked?.hand === hand) return;
+    this.checked = { hand, profiles: strokeProfiles(hand) };
+  }
 
   /**
    * The strokes of the hand that a material draws with from now on. Where nothing else draws with the hand before it, its texture is
@@ -38,7 +50,9 @@ export class HandTextures {
     const before = this.chosen.get(material);
     const known = this.drawn.get(hand);
     if (before === hand && known) return known;
-    const profiles = known?.profiles ?? strokeProfiles(hand);
+    if (!known) this.check(hand);
+    const profiles = known?.profiles ?? this.checked!.profiles;
+    this.checked = null;
     if (before === undefined) material.addEventListener('dispose', this.release);
     const left = before && this.leave(before);
     const texture = known?.texture ?? left ?? newTexture();

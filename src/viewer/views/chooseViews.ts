@@ -78,8 +78,9 @@ export function* chooseViews(triangles: ViewTriangles, up: UpAxis): Generator<nu
     }
   }
   for (const elevation of ELEVATIONS) yield* tryAll(elevation);
-  if (bestElevation(surface, views) >= FROM_ABOVE.least) yield* tryAll(FROM_ABOVE.elevation);
-  const score = scoreOf(surface, views);
+  const ofShape = elevationOfShape(surface);
+  if (bestElevation(views, ofShape) >= FROM_ABOVE.least) yield* tryAll(FROM_ABOVE.elevation);
+  const score = scoreOf(surface, views, ofShape);
   for (const { azimuth, elevation } of apart(views, score)) {
     for (const [around, above] of AROUND) {
       views.push(look((azimuth + around + 360) % 360, elevation + above));
@@ -102,8 +103,12 @@ function apart(views: readonly MeasuredView[], score: (view: MeasuredView) => nu
 
 const angleBetween = (a: number, b: number): number => Math.abs(((((a - b) % 360) + 540) % 360) - 180);
 
-/** The function that rates a view, by the measures of the views that were tried first. */
-function scoreOf(surface: ViewSurface, views: readonly MeasuredView[]): (view: MeasuredView) => number {
+/** The function that rates a view, by the measures of the views that were tried first. @param ofShape the best elevation of what is no room */
+function scoreOf(
+  surface: ViewSurface,
+  views: readonly MeasuredView[],
+  ofShape: number,
+): (view: MeasuredView) => number {
   const points = evenPoints(surface);
   const keys = Object.keys(WEIGHTS) as (keyof typeof WEIGHTS)[];
   const spread = keys.map((key) => {
@@ -116,7 +121,7 @@ function scoreOf(surface: ViewSurface, views: readonly MeasuredView[]): (view: M
   const length = lengthAlong(points, front);
   const { narrow, long } = THREE_QUARTER;
   const ideal = narrow + (long - narrow) * Math.max(0, Math.min(1, length - 0.7));
-  const best = bestElevation(surface, views);
+  const best = bestElevation(views, ofShape);
   const widest = Math.max(...views.map(({ measures }) => measures.cover));
   return ({ azimuth, elevation, measures }) => {
     const rated = spread.reduce(
@@ -150,8 +155,11 @@ function frontOf(points: Float32Array, views: readonly MeasuredView[]): { azimut
 
 const logRatio = (cover: number, widest: number): number => Math.log((cover + 1e-3) / (widest + 1e-3));
 
-function bestElevation(surface: ViewSurface, views: readonly MeasuredView[]): number {
-  if (isRoom(views)) return BEST_ELEVATION.room;
+const bestElevation = (views: readonly MeasuredView[], ofShape: number): number =>
+  isRoom(views) ? BEST_ELEVATION.room : ofShape;
+
+/** The best elevation of a surface that is no room. */
+function elevationOfShape(surface: ViewSurface): number {
   if (isWalled(planOf(surface))) return BEST_ELEVATION.walled;
   if (isTerrain(surface)) return BEST_ELEVATION.terrain;
   const height = surface.halfHeight / surface.halfWidth;

@@ -36,13 +36,13 @@ export function findUpAxis(
   indices: ArrayLike<number> | null,
   { up, liesFlat }: UsualUp,
 ): UpAxis | undefined {
-  const onFeet = axisOfFeet(positions, indices);
-  if (onFeet) return onFeet === up ? undefined : onFeet;
-  if (standsFirmly(positions, indices, up)) return undefined;
   const { low, high } = boundsOf(positions);
   const size = AXES.map((_, axis) => high[axis] - low[axis]);
   const tolerance = FLATNESS * Math.max(...size);
   const sides = outerSides(positions, low, high, tolerance);
+  const onFeet = axisOfFeet((side, axis) => standsOnFeet(positions, indices, sides, side, axis, size));
+  if (onFeet) return onFeet === up ? undefined : onFeet;
+  if (standsFirmly(positions, indices, up)) return undefined;
   /** The area on the lower and on the upper side across each axis. */
   const areas = AXES.map(() => [0, 0] as [number, number]);
   const corners = indices?.length ?? positions.length / 3;
@@ -97,15 +97,19 @@ export function upOnMap(offset: readonly number[]): 'y' | 'z' | undefined {
 }
 
 /** The axis that points up from the feet of a model. Where both ends look like feet, as posts of a shelf do, it is the positive one. */
-function axisOfFeet(positions: ArrayLike<number>, indices: ArrayLike<number> | null): UpAxis | undefined {
+function axisOfFeet(isOnFeet: (side: number, axis: number) => boolean): UpAxis | undefined {
   const found = AXES.flatMap((name, axis): UpAxis[] => {
-    if (standsOnFeet(positions, indices, axis, 'low')) return [name];
-    return standsOnFeet(positions, indices, axis, 'high') ? [`-${name}`] : [];
+    if (isOnFeet(LOWER << (2 * axis), axis)) return [name];
+    return isOnFeet(UPPER << (2 * axis), axis) ? [`-${name}`] : [];
   });
   return found.length === 1 ? found[0] : undefined;
 }
 
-/** For each vertex, the sides of the model it lies on: two bits per axis, 1 for the lower side and 2 for the upper one. */
+/** The bits of the two sides across the first axis; those of the next axes follow. */
+const LOWER = 1;
+const UPPER = 2;
+
+/** For each vertex, the sides of the model it lies on: two bits per axis. */
 function outerSides(
   positions: ArrayLike<number>,
   low: readonly number[],
@@ -118,8 +122,8 @@ function outerSides(
     const upper = high[axis] - tolerance;
     for (let vertex = 0; vertex < sides.length; vertex++) {
       const at = positions[3 * vertex + axis];
-      if (at < lower) sides[vertex] |= 1 << (2 * axis);
-      if (at > upper) sides[vertex] |= 2 << (2 * axis);
+      if (at < lower) sides[vertex] |= LOWER << (2 * axis);
+      if (at > upper) sides[vertex] |= UPPER << (2 * axis);
     }
   }
   return sides;

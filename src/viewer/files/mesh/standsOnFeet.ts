@@ -1,8 +1,5 @@
 import { disjointSets, join, rootOf } from '../../../mesh/disjointSets.js';
-import { boundsOf } from './PlainMesh.js';
 
-/** The maximum height of a foot's sole above the lowest point, as a share of the model's extent. */
-const CONTACT = 0.005;
 /** The greatest number of feet, of several pieces of furniture together. */
 const MOST = 16;
 /** The largest foot, as a share of the length and of the width of the model. */
@@ -17,33 +14,33 @@ const SKEW = 0.05;
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one
- * @param axis the vertical axis: 0, 1 or 2
- * @param end the end of that axis at which the feet are
+ * @param sides for each vertex the bits of the model's sides that it lies on
+ * @param side the bit of the side that is looked at
+ * @param axis the axis across that side: 0, 1 or 2
+ * @param size of the model along each axis
  */
 export function standsOnFeet(
   positions: ArrayLike<number>,
   indices: ArrayLike<number> | null,
+  sides: Uint8Array,
+  side: number,
   axis: number,
-  end: 'low' | 'high',
+  size: readonly number[],
 ): boolean {
-  const { low, high } = boundsOf(positions);
   const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-  const size = high.map((value, i) => value - low[i]);
-  const extent = Math.max(...size);
   if (!(size[u] > 0 && size[v] > 0)) return false;
-  const feet = contactsOf(positions, indices, (point) => {
-    const height = end === 'low' ? positions[point + axis] - low[axis] : high[axis] - positions[point + axis];
-    return height <= CONTACT * extent;
-  }).map((points) => boxOf(positions, points, u, v));
-  if (feet.length < 4 || feet.length > MOST) return false;
+  const contacts = contactsOf(positions, indices, (vertex) => (sides[vertex] & side) !== 0);
+  if (contacts.length < 4 || contacts.length > MOST) return false;
+  const feet = contacts.map((points) => boxOf(positions, points, u, v));
   if (feet.some(({ width, depth }) => width > LARGEST * size[u] || depth > LARGEST * size[v])) return false;
-  const inLine = (one: number, other: number): boolean => Math.abs(one - other) <= SKEW * extent;
-  const apart = (one: number, other: number, axis: number): boolean => Math.abs(one - other) > APART * size[axis];
+  const skew = SKEW * Math.max(...size);
+  const inLine = (one: number, other: number): boolean => Math.abs(one - other) <= skew;
+  const apart = (one: number, other: number, across: number): boolean => Math.abs(one - other) > APART * size[across];
   return (
     feet.every(
       (foot) =>
-        feet.some((other) => other !== foot && inLine(foot.x, other.x) && !inLine(foot.y, other.y)) &&
-        feet.some((other) => other !== foot && inLine(foot.y, other.y) && !inLine(foot.x, other.x)),
+        feet.some((other) => inLine(foot.x, other.x) && !inLine(foot.y, other.y)) &&
+        feet.some((other) => inLine(foot.y, other.y) && !inLine(foot.x, other.x)),
     ) &&
     feet.some((foot) => apart(foot.x, feet[0].x, u)) &&
     feet.some((foot) => apart(foot.y, feet[0].y, v))
@@ -54,36 +51,44 @@ export function standsOnFeet(
 function contactsOf(
   positions: ArrayLike<number>,
   indices: ArrayLike<number> | null,
-  touches: (point: number) => boolean,
+  touches: (vertex: number) => boolean,
 ): number[][] {
-  const places = new Map<string, number>();
   const points: number[] = [];
+  const places = new Map<string, number>();
   const placeOf = new Map<number, number>();
+  const place = (vertex: number): number => {
+    const known = placeOf.get(vertex);
+    if (known !== undefined) return known;
+    const key = `${positions[3 * vertex]} ${positions[3 * vertex + 1]} ${positions[3 * vertex + 2]}`;
+    const found = places.get(key) ?? points.push(3 * vertex) - 1;
+    places.set(key, found);
+    placeOf.set(vertex, found);
+    return found;
+  };
+  /** Places at the two ends of edges. */
+  const edges: number[] = [];
   const count = indices?.length ?? positions.length / 3;
-  const corner = (i: number): number => 3 * (indices ? indices[i] : i);
-  for (let i = 0; i < count; i++) {
-    const point = corner(i);
-    if (!touches(point) || placeOf.has(point)) continue;
-    const key = `${positions[point]} ${positions[point + 1]} ${positions[point + 2]}`;
-    const place = places.get(key) ?? points.length;
-    if (place === points.length) points.push(point);
-    places.set(key, place);
-    placeOf.set(point, place);
+  for (let i = 0; i + 2 < count; i += 3) {
+    const a = indices ? indices[i] : i;
+    const b = indices ? indices[i + 1] : i + 1;
+    const c = indices ? indices[i + 2] : i + 2;
+    const isA = touches(a);
+    const isB = touches(b);
+    const isC = touches(c);
+    // Most triangles touch nothing.
+    if (!isA && !isB && !isC) continue;
+    const first = place(isA ? a : isB ? b : c);
+    if (isB) edges.push(first, place(b));
+    if (isC) edges.push(first, place(c));
   }
   const sets = disjointSets(points.length);
-  for (let i = 0; i + 2 < count; i += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => placeOf.get(corner(i + k)));
-    for (const [from, to] of [
-      [a, b],
-      [b, c],
-      [c, a],
-    ])
-      if (from !== undefined && to !== undefined) join(sets, from, to);
-  }
+  for (let i = 0; i < edges.length; i += 2) join(sets, edges[i], edges[i + 1]);
   const contacts = new Map<number, number[]>();
-  for (const [place, point] of points.entries()) {
-    const root = rootOf(sets, place);
-    contacts.set(root, [...(contacts.get(root) ?? []), point]);
+  for (const [number, point] of points.entries()) {
+    const root = rootOf(sets, number);
+    const known = contacts.get(root);
+    if (known) known.push(point);
+    else contacts.set(root, [point]);
   }
   return [...contacts.values()];
 }
