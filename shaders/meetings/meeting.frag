@@ -10,7 +10,7 @@ varying vec3 vMeetingLight;
 // Most pixels from a line at which it is drawn.
 #define MOST_REACH 4
 // Sine of the angle between two faces, some 15°, below which they have no line: panels that nearly touch.
-#define LEAST_SINE 0.26
+#define LEAST_CROSSING 0.26
 // Cosine between a normal and the line of sight, some 78°, below which a surface counts as one that turns away, and may not reach the other.
 #define TURNS_AWAY 0.2
 // Pixels by which a surface may be steeper than its plane says before something else hides it.
@@ -80,7 +80,7 @@ void main() {
       float distanceTo = before / max(length(own.slope - other.slope), 1e-30);
       if (before < 0.0 || beyond > 0.0 || distanceTo >= away) continue;
       vec3 otherNormal = normalOf(other, pixel + way);
-      if (dot(otherNormal, sight) < TURNS_AWAY || length(cross(ownNormal, otherNormal)) < LEAST_SINE) continue;
+      if (dot(otherNormal, sight) < TURNS_AWAY || length(cross(ownNormal, otherNormal)) < LEAST_CROSSING) continue;
       away = distanceTo;
       normal = ownNormal + otherNormal;
     }

@@ -56,7 +56,13 @@ describe('the shaders', () => {
     for (const [i, technique] of Object.values(FOLDERS).entries()) expect(await shadersOf(technique)).toBe(all[i]);
     expect(new Set(all.map(({ vertexShader }) => vertexShader)).size).toBe(all.length);
     expect(new Set(all.map(({ fragmentShader }) => fragmentShader)).size).toBe(all.length);
-    expect(await shadersOf('woodcut')).toBe(await shadersOf('pen'));
+  });
+
+  test('of a woodcut are those of the pen with the code of cuts', async () => {
+    const [cuts, lines] = await Promise.all((['woodcut', 'pen'] as const).map(shadersOf));
+    expect(cuts.vertexShader).toBe(lines.vertexShader);
+    const holds = [cuts, lines].map(({ fragmentShader }) => /\bcutWidth\b/.test(fragmentShader));
+    expect(holds).toEqual([true, false]);
   });
 
   test('lie in a folder for each family of techniques, and for each of those per triangle', () => {

@@ -26,6 +26,7 @@ vi.mock('../../../../src/playground/reading/loadModelFiles.js', () => ({ loadMod
 vi.mock('../../../../src/playground/loading/lightModel.js', () => ({
   FileLights: class {
     light(): void {}
+    lookThroughCamera(): void {}
     viewsOf = () => ({ views: [], notes: [] });
   },
 }));
@@ -35,7 +36,7 @@ vi.mock('../../../../src/viewer/drawing/buildModel.js', () => ({
       const hidden = choose(NAMES);
       signal.addEventListener('abort', () => reject(signal.reason));
       const model = {
-        ...{ root: new Group(), extras: { variants: [] }, statistics: { triangles: 1, borderEdges: 0 } },
+        ...{ root: new Group(), extras: { variants: [], cameras: [] }, statistics: { triangles: 1, borderEdges: 0 } },
         ...{ parts: { names: NAMES, hidden }, dispose: vi.fn() },
       };
       builds.push({ hidden, end: () => resolve({ model, notes: [] }) });
