@@ -15,6 +15,7 @@ import { layerTimes } from './layerTimes.mjs';
 import { PLAYWRIGHT, VITEST } from './runners.mjs';
 import { argumentsOf, readSelection } from './selection.mjs';
 import { summariseReports } from './summariseReports.mjs';
+import { leftOut } from './timeLimit.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 const output = join(root, 'tests', 'output');
@@ -89,6 +90,8 @@ if (words.length === 0) {
 }
 for (const remark of remarks) console.error(remark);
 process.exitCode = failed > 0 ? 1 : 0;
+const late = finished.reduce((sum, { name, report }) => sum + (name === 'playwright' ? leftOut(report) : 0), 0);
+if (late > 0) console.log(`${late} tests were not begun, since the time of this run was up (HATCH_UNTIL)`);
 if (skipped > 0) console.log(`${skipped} skipped`);
 console.log(`${passed} passed, ${failed} failed`);
 

@@ -1,5 +1,6 @@
 import { test as base, expect as baseExpect, type ConsoleMessage, type Page } from '@playwright/test';
 import { toleratedMessages } from '../../tools/browser/toleratedMessages.js';
+import { isTimeUp, TIME_IS_UP } from '../timeLimit.mjs';
 import { passNumbersAsBytes } from './passNumbersAsBytes.js';
 import { recordLimits } from './recordLimits.js';
 import { serveTests } from './serveTests.js';
@@ -20,6 +21,8 @@ interface Site {
 }
 
 interface PageChecks {
+  /** Leaves the test out where the time of the run is up. */
+  inTime: undefined;
   /**
    * Problems of the page so far: console warnings and errors, uncaught errors, crashes. A test that expects one
    * takes it out; whatever is left at the end fails the test.
@@ -47,6 +50,15 @@ export const test = base.extend<PageChecks, ThreeOptions & Site>({
   ],
 
   baseURL: ({ site }, use) => use(site),
+
+  inTime: [
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the fixture's needs from this pattern.
+    async ({}, use, testInfo) => {
+      testInfo.skip(isTimeUp(), TIME_IS_UP);
+      await use(undefined);
+    },
+    { auto: true },
+  ],
 
   checkGlErrors: [true, { option: true }],
 
