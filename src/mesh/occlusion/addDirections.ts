@@ -130,6 +130,8 @@ function drawTriangles(
 ): void {
   const size = MAP_SIZE;
   const last = size - 1;
+  const edge = EDGE;
+  const most = 1 - edge;
   for (let corner = 3 * start; corner < 3 * end; corner += 3) {
     const a = 3 * indices[corner];
     const b = 3 * indices[corner + 1];
@@ -169,7 +171,7 @@ function drawTriangles(
       let shareB = rowB;
       let shareC = rowC;
       for (let pixel = row; pixel <= row + width; pixel++) {
-        if (shareB >= EDGE && shareC >= EDGE && shareB + shareC <= 1 - EDGE) {
+        if (shareB >= edge && shareC >= edge && shareB + shareC <= most) {
           const depth = az + shareB * bz + shareC * cz;
           if (isHigh && depth > highest[pixel]) highest[pixel] = depth;
           if (isLow && depth < lowest[pixel]) lowest[pixel] = depth;

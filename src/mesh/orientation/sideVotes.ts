@@ -152,6 +152,8 @@ function drawNearest(
   start: number,
   end: number,
 ): void {
+  const edge = EDGE;
+  const most = 1 - edge;
   for (let triangle = start; triangle < end; triangle++) {
     if (patchOf[triangle] === NO_PATCH) continue;
     const a = 3 * indices[3 * triangle];
@@ -192,7 +194,7 @@ function drawNearest(
       let shareB = rowB;
       let shareC = rowC;
       for (let pixel = row; pixel <= row + width; pixel++) {
-        if (shareB >= EDGE && shareC >= EDGE && shareB + shareC <= 1 - EDGE) {
+        if (shareB >= edge && shareC >= edge && shareB + shareC <= most) {
           const depth = az + shareB * bz + shareC * cz;
           if (depth > highest[pixel] + bias) {
             highest[pixel] = depth;
