@@ -18,7 +18,7 @@ import {
   type ModelFormat,
   sniffFormat,
 } from './formats.js';
-import type { GltfParts } from './gltf/parseGltf.js';
+import { type GltfParts, parseGltf } from './gltf/parseGltf.js';
 import type { ReadGltf } from './gltf/readGltf.js';
 import { withCastingSides } from './mesh/castingSides.js';
 import { cleanMesh } from './mesh/cleanMesh.js';
@@ -40,6 +40,7 @@ import {
 import { gunzip, readArchive } from './readArchive.js';
 import { DISPLACEMENT_NOTE, type LoadedScene } from './scenes/LoadedScene.js';
 import { mergeScene } from './scenes/mergeScene.js';
+import { findSceneCeiling } from './scenes/sceneCeiling.js';
 
 export type { ModelFile, OnStage };
 
@@ -170,12 +171,11 @@ async function readMain(
     const notes = [...missingNote(missing), ...parsed.notes];
     const other = otherFormatNote(main, format);
     const details = [...missingDetail(missing), ...other, ...brokenNote(parsed.broken), ...parsed.details];
-    const sides = sidesChange(switched.includes('sides') && content.hasBothSides);
+    const { parts, changes: sides } = await openedParts(content, orientation, switched);
     return {
       kind: 'parts',
-      ...{ name, upAxis, usual, notes, details, missing, lostPictures, extras },
+      ...{ name, upAxis, usual, notes, details, missing, lostPictures, extras, parts },
       changes: [...upChanges, ...ofReader, ...turnedChange(turnedParts), ...sides],
-      parts: content,
     };
   }
   onStage('looking over the triangles');
@@ -335,6 +335,23 @@ function withoutCeiling(
 ): { mesh: PlainMesh; isOpened: boolean } {
   const open = switched.includes('ceiling') ? undefined : openCeiling(mesh, up);
   return { mesh: open ?? mesh, isOpened: open !== undefined };
+}
+
+/**
+ * Leaves out the ceiling of closed rooms, whose walls are drawn from both sides then, unless that is switched off, the parts move, or their up
+ * axis is not certain.
+ */
+async function openedParts(
+  parts: GltfParts,
+  { usual }: Orientation,
+  switched: readonly FileChangeKind[],
+): Promise<{ parts: GltfParts; changes: FileChange[] }> {
+  const changes = sidesChange(switched.includes('sides') && parts.hasBothSides);
+  if (usual || switched.includes('ceiling')) return { parts, changes };
+  const { root, animations } = await parseGltf(parts);
+  const ceiling = animations.length === 0 ? findSceneCeiling(root) : undefined;
+  if (!ceiling) return { parts, changes };
+  return { parts: { ...parts, ceiling, hasBothSides: true }, changes: [...changes, ...ceilingChange(true)] };
 }
 
 const ceilingChange = (isOpened: boolean): FileChange[] =>

@@ -19,6 +19,7 @@ import {
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import { Slices } from '../common/Slices.js';
 import type { DecodedPicture } from '../common/Surroundings.js';
+import { leaveOutCeiling, type SceneCeiling } from '../scenes/sceneCeiling.js';
 import { fitWeights } from './GltfGeometry.js';
 import type { GltfSampler } from './gltfDocument.js';
 import type { Picture } from './gltfMaterials.js';
@@ -71,6 +72,8 @@ export interface GltfParts {
   bitmaps: (DecodedPicture | undefined)[];
   /** Whether both sides of all surfaces are drawn, whatever their materials say. */
   hasBothSides: boolean;
+  /** The ceiling of its closed rooms, which is left out. */
+  ceiling?: SceneCeiling;
 }
 
 /** The scene of a model, and its clips. */
@@ -87,6 +90,7 @@ export async function parseGltf(parts: GltfParts, signal?: AbortSignal): Promise
     .register((parser) => new InstanceShapes(parser));
   const { scene, animations } = await loader.parseAsync(parts.json as never, '');
   if (parts.hasBothSides) scene.traverse(drawBothSides);
+  if (parts.ceiling) leaveOutCeiling(scene, parts.ceiling);
   return { root: scene, animations };
 }
 

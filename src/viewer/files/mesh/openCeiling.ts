@@ -40,14 +40,19 @@ const isOfGlass = ({ ranges }: PlainMesh, ceiling: Uint8Array): boolean =>
  * @param up the axis that points up
  * @returns the open mesh; undefined if there is no ceiling to leave out
  */
-export function openCeiling(mesh: PlainMesh, up: UpAxis): PlainMesh | undefined {
+export const openCeiling = (mesh: PlainMesh, up: UpAxis): PlainMesh | undefined => openedAt(mesh, up)?.open;
+
+/** The triangles of the ceiling that `openCeiling` leaves out: 1 for each of them, else 0. Undefined if there is none to leave out. */
+export const ceilingOf = (mesh: PlainMesh, up: UpAxis): Uint8Array | undefined => openedAt(mesh, up)?.ceiling;
+
+function openedAt(mesh: PlainMesh, up: UpAxis): { open: PlainMesh; ceiling: Uint8Array } | undefined {
   const ceiling = findCeiling(mesh, up);
   // A plate is nothing but a lid.
   if (!ceiling?.includes(1) || !ceiling.includes(0) || isOfGlass(mesh, ceiling)) return undefined;
   const closed = surfaceOf(mesh, up);
   if (!isCovered(planOf(closed)) || !isClosed(closed)) return undefined;
   const open = withBothSides(withoutTriangles(mesh, ceiling));
-  return showsFloor(planOf(surfaceOf(open, up))) ? open : undefined;
+  return showsFloor(planOf(surfaceOf(open, up))) ? { open, ceiling } : undefined;
 }
 
 /** Whether a ceiling hides most of what lies below it from above. */

@@ -1,8 +1,11 @@
+import { type BufferGeometry, DoubleSide, FrontSide, type Material, type Mesh } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { FileChangeKind } from '../../../../src/viewer/files/common/fileChanges.js';
+import { parseGltf } from '../../../../src/viewer/files/gltf/parseGltf.js';
 import { openCeiling } from '../../../../src/viewer/files/mesh/openCeiling.js';
 import { boundsOf } from '../../../../src/viewer/files/mesh/PlainMesh.js';
 import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
+import { addTrack, GltfBuilder } from '../../../../tools/modelFiles/GltfBuilder.js';
 import { file, PRISM_CORNERS, PRISM_FACES, triangles } from '../../../../tools/modelFiles/modelWriters.js';
 
 type Point = readonly [x: number, y: number, z: number];
@@ -140,5 +143,58 @@ describe('the ceiling of closed rooms', () => {
     expect(changes.map(({ kind }) => kind)).toEqual([]);
     const faces = Object.values(objects).flat();
     expect(triangles({ mesh } as ReadMesh)).toBe(faces.reduce((sum, face) => sum + face.length - 2, 0));
+  });
+});
+
+/** A glTF file whose parts glow, so that it stays a scene, with a node for each list of faces. */
+function glb(objects: Record<string, Faces>, { moves = false } = {}): Uint8Array<ArrayBuffer> {
+  const builder = new GltfBuilder();
+  const { json } = builder;
+  json.materials = [{ emissiveFactor: [0.1, 0.1, 0.1] }];
+  json.nodes = Object.keys(objects).map((name, mesh) => ({ name, mesh }));
+  json.scenes = [{ nodes: json.nodes.map((_: object, i: number) => i) }];
+  json.meshes = Object.entries(objects).map(([name, faces]) => {
+    const indices = Uint16Array.from(faces.flatMap((_, i) => [0, 1, 2, 0, 2, 3].map((k) => 4 * i + k)));
+    const attributes = { POSITION: builder.accessor(Float32Array.from(faces.flat(2)), 'VEC3') };
+    return { name, primitives: [{ attributes, indices: builder.accessor(indices, 'SCALAR'), material: 0 }] };
+  });
+  if (moves) {
+    const times = builder.accessor(Float32Array.of(0, 1), 'SCALAR');
+    addTrack(builder, 'translation', times, builder.accessor(new Float32Array(6), 'VEC3'));
+  }
+  return builder.glb() as Uint8Array<ArrayBuffer>;
+}
+
+/** The kinds of changes of a glTF file that stays a scene, and the triangles and sides of each of its meshes. */
+async function scene(content: Uint8Array<ArrayBuffer>, ...switched: FileChangeKind[]) {
+  const model = await readModel([file('flat.glb', content)], () => {}, undefined, { switched });
+  if (model.kind !== 'parts') throw new Error('flat.glb is no scene');
+  const { root } = await parseGltf(model.parts);
+  const meshes = (root.getObjectsByProperty('isMesh', true) as Mesh<BufferGeometry, Material>[]).map(
+    ({ name, geometry, material }) => [name, geometry.index!.count / 3, material.side],
+  );
+  return { changes: model.changes.map(({ kind }) => kind), meshes };
+}
+
+describe('the ceiling of closed rooms in a scene', () => {
+  const rest = Object.entries(FLAT).map(([name, faces]) => [name, 2 * faces.length, DoubleSide]);
+
+  test('is left out, and its mesh with it; what stays is drawn from both sides', async () => {
+    expect(await scene(glb(CLOSED))).toEqual({ changes: ['ceiling'], meshes: rest });
+  });
+
+  test('is left out of a mesh that holds more', async () => {
+    const { changes, meshes } = await scene(glb({ room: room(2.7), bed: BED, table: TABLE }));
+    expect(changes).toEqual(['ceiling']);
+    expect(meshes[0]).toEqual(['room', 10, DoubleSide]);
+  });
+
+  test.each([
+    ['on request', glb(CLOSED), ['ceiling'] as const],
+    ['where something moves', glb(CLOSED, { moves: true }), []],
+  ])('stays %s', async (_, content, switched) => {
+    const { changes, meshes } = await scene(content, ...switched);
+    expect(changes).toEqual([]);
+    expect(meshes).toContainEqual(['ceiling', 12, FrontSide]);
   });
 });
