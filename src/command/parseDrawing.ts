@@ -56,6 +56,8 @@ export interface DrawingOptions {
   frames: number | undefined;
   kind: 'print' | 'pen';
   pen: number;
+  /** Shorter lines of a pen are left out, millimetres; undefined for the default. */
+  shortest: number | undefined;
   sheet: Sheet;
   margin: number;
   dpi: number;
@@ -153,6 +155,7 @@ const OPTIONS = {
   frames: { type: 'string' },
   kind: { type: 'string' },
   pen: { type: 'string' },
+  shortest: { type: 'string' },
   sheet: { type: 'string' },
   margin: { type: 'string' },
   dpi: { type: 'string' },
@@ -209,6 +212,7 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --up <axis>              the axis that points up: y, z, x, -y, -z or -x (default: as the format has it)
   --kind <print|pen>       filled lines, or lines for one pen (default print)
   --pen <mm>               the width of the pen; draws for a pen (default ${DEFAULTS.pen})
+  --shortest <mm>          leaves out lines of a pen that are shorter, as each takes a lift (default 1)
   --sheet <size>           ${Object.keys(SHEET_SIZES).join(', ')}, turned to suit the model;
                            "A4 landscape" or "A4 portrait"; or as 200x150 in millimetres or 8.5x11in (default ${DEFAULTS.sheet})
   --margin <mm>            what stays blank on all sides (default ${DEFAULTS.margin})
@@ -255,6 +259,8 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     throw new UsageError('--camera and --view exclude each other; pass only one of them.');
   if (kind === 'pen' && values.paper !== undefined)
     throw new UsageError('--paper is for print; a pen would draw the border of the sheet.');
+  if (kind !== 'pen' && values.shortest !== undefined)
+    throw new UsageError('--shortest is for a pen; a print has no lifts. Pass --kind pen, or --pen with its width.');
   if (values.shadows && values['no-shadows'])
     throw new UsageError('--shadows and --no-shadows exclude each other; pass only one of them.');
   const sheet = sheetOf(values.sheet ?? DEFAULTS.sheet);
@@ -282,6 +288,7 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     clip: nameOf('clip', values.clip),
     frames: whole('frames', values.frames, 9999),
     pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? DEFAULTS.pen,
+    shortest: number('shortest', values.shortest, { least: 0, most: 1000 }),
     dpi: number('dpi', values.dpi, { least: 10, most: 1200 }) ?? DEFAULTS.dpi,
     paper: colour(values.paper),
     order: choice('order', values.order, ['travel', 'drawn']) ?? DEFAULTS.order,

@@ -95,6 +95,8 @@ export interface DrawingPlan {
   margin: number;
   /** The width of a pen; null for filled outlines whose width is the tone. */
   pen: number | null;
+  /** Shorter lines of a pen are omitted. */
+  shortest: number;
   /** The width of the thinnest line of a print; 0 for no limit. */
   leastWidth: number;
   /** CSS pixels per inch of the sheet, for the sizes of materials and outlines. */

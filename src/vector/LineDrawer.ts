@@ -10,6 +10,7 @@ import type { DrawnScene, EngravedSurface, OutlinedMesh } from './DrawnScene.js'
 import { Engraver, type FamilyName } from './Engraver.js';
 import { dashed, endHairlines } from './hairlines.js';
 import type { LineTechnique } from './lineMarks.js';
+import { DrawnOutlines } from './outlines/DrawnOutlines.js';
 import { dropShortLines } from './outlines/dropShortLines.js';
 import { loseEdges, type SeenOutline } from './outlines/loseEdges.js';
 import { meetingOutlines } from './outlines/meetingOutlines.js';
@@ -59,12 +60,22 @@ interface LeftPath {
   left: number;
 }
 
+/** A hidden line. dash: lengths of dashes and gaps, pixels; null for a line that is faint */
+interface HiddenPath {
+  layer: PathLayer;
+  path: LinePath;
+  dash: readonly [dash: number, gap: number] | null;
+}
+
 /** A part of a line that is visible to one share through see-through surfaces. */
 interface FadedPart {
   faded: Chain;
   left: number;
   isLeft: SeenTest;
 }
+
+/** Outlines closer to each other than this count as one, millimetres. */
+const SAME_LINE = 0.1;
 
 /** The share of lines where surfaces meet in the time for outlines. */
 const MEETING = 0.2;
@@ -118,16 +129,22 @@ export class LineDrawer {
     const { pen, millimetre } = this;
     const { outlines: own } = this.scene;
     const seen: LeftPath[] = [];
+    const hidden: HiddenPath[] = [];
     const outlines = [...own, ...(yield* asPhase(meetingOutlines(own), 0, MEETING))];
     const partAt = (done: number): number => MEETING + ((1 - MEETING) * done) / outlines.length;
     for (const [i, outlined] of outlines.entries()) {
       const middle = i + (outlined.look.hidden === 'none' ? 1 : 0.5);
       yield* asPhase(this.drawSeen(outlined, seen), partAt(i), partAt(middle));
       if (middle === i + 1) continue;
-      yield* asPhase(this.drawHidden(outlined), partAt(middle), partAt(i + 1));
+      yield* asPhase(this.drawHidden(outlined, hidden), partAt(middle), partAt(i + 1));
     }
     const kept = pen === null ? seen : dropShortLines(seen, { shortest: SHORTEST_ALONE * millimetre, near: pen });
-    for (const one of kept) this.addPath(one);
+    // A pen would draw edges of parts that touch twice, and dashes on a visible line.
+    const drawn = pen === null ? null : new DrawnOutlines(SAME_LINE * millimetre);
+    const once = (path: LinePath): LinePath[] => (drawn ? drawn.add(path) : [path]);
+    for (const one of kept) for (const path of once(one.path)) this.addPath({ ...one, path });
+    for (const { layer, path, dash } of hidden)
+      for (const piece of once(path)) layer.paths.push(...(dash ? dashes(piece, ...dash) : [piece]));
   }
 
   private *drawSeen({ mesh, look, clip, ink }: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
@@ -155,14 +172,15 @@ export class LineDrawer {
     }
   }
 
-  /** Draws hidden outlines, in a layer of their own. */
-  private *drawHidden({ mesh, look, clip, ink }: OutlinedMesh): Generator<number, void, void> {
+  /** Finds hidden outlines, for a layer of their own. */
+  private *drawHidden({ mesh, look, clip, ink }: OutlinedMesh, found: HiddenPath[]): Generator<number, void, void> {
     const { scene, projection, bvh } = this;
     const even = hiddenLook(look);
     const pieces = yield* asPhase(outlinePieces(mesh, even, true), 0, 0.4);
     weighHidden(pieces);
     const chains = yield* asPhase(outlineChains(pieces, mesh, even, projection, scene.illumination), 0.4, 0.5);
     const layer = this.layerOf('hidden', ink, look.hidden === 'faint' ? FAINT : 1);
+    const dash = look.hidden === 'dashed' ? ([DASH * look.width, GAP * look.width] as const) : null;
     for (const [i, chain] of chains.entries()) {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
@@ -172,8 +190,7 @@ export class LineDrawer {
         this.uncut((place) => !isSeen(place), chain, clip),
       );
       yield from;
-      for (const { path } of yield* asPhase(hidden, from, to))
-        layer.paths.push(...(look.hidden === 'dashed' ? dashes(path, DASH * look.width, GAP * look.width) : [path]));
+      for (const { path } of yield* asPhase(hidden, from, to)) found.push({ layer, path, dash });
     }
   }
 

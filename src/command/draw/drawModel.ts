@@ -238,7 +238,7 @@ async function drawFrames(
     signal: AbortSignal;
   },
 ): Promise<void> {
-  const { kind, pen, margin, dpi, paper, order, hidden, animate } = options;
+  const { kind, pen, shortest, margin, dpi, paper, order, hidden, animate } = options;
   const told = new Set<string>();
   for (let frame = 0; frame < frames; frame++) {
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
@@ -248,7 +248,7 @@ async function drawFrames(
     const stage = frames === 1 ? 'drawing' : `drawing frame ${frame + 1} of ${frames}`;
     const { svg, leftOut, ...counts } = await drawSVG(scene, placed.camera, {
       ...{ kind, sheet, margin, dpi, order, hidden, animate },
-      ...(kind === 'pen' && { penWidth: pen }),
+      ...(kind === 'pen' && { penWidth: pen, shortest }),
       ...(paper !== undefined && { paper }),
       signal: to.signal,
       onProgress: (share) => to.progress(stage, BAKED + (1 - BAKED) * ((frame + share) / frames)),

@@ -8,6 +8,8 @@ export interface LinePath {
   /** `PATH_STRIDE` numbers per point. A closed path does not repeat its first point. */
   points: readonly number[];
   isClosed: boolean;
+  /** Whether it is one of the dashes of a line. */
+  isDash?: boolean;
 }
 
 /** The points of a path in reverse, with left and right exchanged. */
@@ -49,11 +51,38 @@ export function dashes(path: LinePath, dash: number, gap: number): LinePath[] {
   const period = (length + gap) / count;
   const on = (dash * period) / (dash + gap);
   const stretch = (length - on) / (count - 1);
+  const spans = Array.from({ length: count }, (_, i): Span => [i * stretch, i * stretch + on]);
+  return piecesOf(path, spans).map((piece) => ({ ...piece, isDash: true }));
+}
+
+/** Start and end of a piece of a path, as distances from its start, pixels. */
+export type Span = readonly [from: number, to: number];
+
+/** The pieces of a path at spans in rising order. */
+export function piecesOf(path: LinePath, spans: readonly Span[]): LinePath[] {
   const walk = new PathWalk(path);
-  return Array.from({ length: count }, (_, i) => ({
-    points: walk.between(i * stretch, i * stretch + on),
-    isClosed: false,
-  }));
+  return spans.map(([from, to]) => ({ points: walk.between(from, to), isClosed: false }));
+}
+
+/** Calls a function for places along a path, at most so far apart: x, y, the direction as a unit vector, and the distance from its start, pixels. */
+export function alongPath(
+  path: LinePath,
+  apart: number,
+  visit: (x: number, y: number, dx: number, dy: number, place: number) => void,
+): void {
+  const points = unrolled(path);
+  let place = 0;
+  for (let o = PATH_STRIDE; o < points.length; o += PATH_STRIDE) {
+    const [x, y] = [points[o - PATH_STRIDE], points[o - PATH_STRIDE + 1]];
+    const [dx, dy] = [points[o] - x, points[o + 1] - y];
+    const length = Math.hypot(dx, dy);
+    const steps = Math.ceil(length / apart);
+    for (let k = 0; k < steps; k++) {
+      const share = (k + 0.5) / steps;
+      visit(x + share * dx, y + share * dy, dx / length, dy / length, place + share * length);
+    }
+    place += length;
+  }
 }
 
 /** A walk along a path from its start. */

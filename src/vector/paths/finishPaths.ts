@@ -1,6 +1,7 @@
 import { asPhase } from '../../mesh/phases.js';
 import type { DrawingPlan } from '../DrawnScene.js';
 import type { Projection } from '../Projection.js';
+import { joinPaths } from './joinPaths.js';
 import { type LinePath, PATH_STRIDE, pathLength, reversedPoints, simplify } from './LinePath.js';
 import { asDrawn, type OrderedPath, orderPaths, type PathEnds, travelOf } from './orderPaths.js';
 import { clipRing, type Ring, strokeOutline } from './strokeOutline.js';
@@ -25,9 +26,11 @@ export interface WrittenPath {
 
 /** Precision of paths, millimetres. */
 const TOLERANCE = 0.02;
-/** Shorter filled paths are omitted, millimetres; of a pen, paths shorter than two of its widths. */
+/** Shorter filled paths are omitted, millimetres; of a pen, dashes shorter than two of its widths. */
 const SHORTEST = 0.1;
-const SHORTEST_IN_PENS = 2;
+const SHORTEST_DASH_IN_PENS = 2;
+/** A pen goes on from one line to the next across gaps up to this one, millimetres. */
+const JOINED = 0.1;
 
 /** Simplifies, orders and writes the paths of layers. Yields its progress. */
 export function* finishPaths(
@@ -39,13 +42,17 @@ export function* finishPaths(
   const counts: PathCounts = { paths: 0, points: 0, travelBefore: 0, travelAfter: 0, drawn: 0 };
   const written: WrittenPath[][] = [];
   const { scale } = placement;
-  const shortest = plan.pen === null ? SHORTEST : SHORTEST_IN_PENS * plan.pen;
+  const { pen } = plan;
+  const shortest = ({ isDash }: LinePath): number =>
+    pen === null ? SHORTEST : isDash ? SHORTEST_DASH_IN_PENS * pen : plan.shortest;
   for (const [i, layer] of layers.entries()) {
     const kept: LinePath[] = [];
     const [from, to] = [i / layers.length, (i + 1) / layers.length];
-    for (const [k, path] of layer.paths.entries()) {
-      if (k % 16 === 15) yield from + (0.3 * (to - from) * k) / layer.paths.length;
-      if (pathLength(path) * scale < shortest || !hasInk(path)) continue;
+    const inked = layer.paths.filter(hasInk);
+    const joined = pen === null ? inked : joinPaths(inked, JOINED / scale);
+    for (const [k, path] of joined.entries()) {
+      if (k % 16 === 15) yield from + (0.3 * (to - from) * k) / joined.length;
+      if (pathLength(path) * scale < shortest(path)) continue;
       kept.push(simplify(path, TOLERANCE / scale));
     }
     const ends = kept.map((path) => endsOf(path, placement));

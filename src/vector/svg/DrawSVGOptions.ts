@@ -26,6 +26,11 @@ export interface DrawSVGOptions extends TaskOptions {
   /** The width of the pen, above 0, with `kind: 'pen'`. Default: 0.3. */
   penWidth?: number | undefined;
   /**
+   * With `kind: 'pen'`, lines shorter than this are left out, 0 or more: each would take the pen a lift. Dashes are lines of their own. Default:
+   * 1.
+   */
+  shortest?: number | undefined;
+  /**
    * The width of the thinnest line that a press can hold, 0 or more, with `kind: 'print'`: thinner lines become dashes of this width with
    * the same tone. 0 lets lines taper to nothing. Default: 0.05.
    */
@@ -68,6 +73,7 @@ const NAMES = {
   sheet: true,
   margin: true,
   penWidth: true,
+  shortest: true,
   leastWidth: true,
   dpi: true,
   shadows: true,
@@ -97,6 +103,8 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
   const isPen = kind === 'pen';
   if (!isPen && options.penWidth !== undefined)
     throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");
+  if (!isPen && options.shortest !== undefined)
+    throw new TypeError("drawSVG: shortest is only for kind: 'pen'. A print has no lifts.");
   if (isPen && options.leastWidth !== undefined)
     throw new TypeError("drawSVG: leastWidth is only for kind: 'print'. A pen has one width.");
   if (isPen && paper !== null)
@@ -110,6 +118,7 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
   return {
     ...{ width, height, margin, order },
     pen: isPen ? checkNumber('penWidth', options.penWidth ?? 0.3, { above: 0 }, 'drawSVG') : null,
+    shortest: checkNumber('shortest', options.shortest ?? 1, { from: 0 }, 'drawSVG'),
     leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0, to: 2400 }, 'drawSVG'),
     animate: secondsOf(options.animate ?? false),

@@ -27,6 +27,20 @@ const lengthOf = (paths: string[]): number =>
       return sum + length + (isClosed ? Math.hypot(xy[0] - xy[xy.length - 2], xy[1] - xy[xy.length - 1]) : 0);
     }, 0);
 
+/** Places along a line, 0.1 mm apart, each with the direction. */
+function samplesOf(xy: readonly number[]): [x: number, y: number, dx: number, dy: number][] {
+  const samples: [number, number, number, number][] = [];
+  for (let i = 2; i < xy.length; i += 2) {
+    const [dx, dy] = [xy[i] - xy[i - 2], xy[i + 1] - xy[i - 1]];
+    const length = Math.hypot(dx, dy);
+    for (let at = 0; at < length; at += 0.1) {
+      const share = at / length;
+      samples.push([xy[i - 2] + share * dx, xy[i - 1] + share * dy, dx / length, dy / length]);
+    }
+  }
+  return samples;
+}
+
 describe('hidden outlines', () => {
   test('are not drawn unless they are asked for', async () => {
     const { svg } = await drawSVG(await sceneWith(new BoxGeometry(1.2, 1.2, 1.2), {}), cameraAt(2.2, 1.7, 2.9), PEN);
@@ -96,5 +110,36 @@ describe('hidden outlines', () => {
       hidden: 'dotted' as 'dashed',
     });
     await expect(drawing).rejects.toThrow("drawSVG: hidden is dotted, but must be 'none' or 'dashed' or 'faint'.");
+  });
+});
+
+describe('a pen draws edges of parts that lie in one place once', () => {
+  const outlines = { hidden: 'dashed', weights: { creases: 1, borders: 1 }, outlineWidth: 2 } as const;
+  const cube = async (x = 0) => {
+    const mesh = await hatchedMesh(new BoxGeometry(0.8, 0.8, 0.8), { outlines, material: BLANK });
+    mesh.position.x = x;
+    return mesh;
+  };
+  const draw = async (...meshes: Mesh[]) => (await drawSVG(sceneOf(...meshes), cameraAt(2.2, 1.7, 2.9), PEN)).svg;
+
+  test('also where one is hidden', async () => {
+    const once = await draw(await cube());
+    const twice = await draw(await cube(), await cube());
+    for (const layer of ['outlines', 'hidden']) {
+      const expected = lengthOf(pathsOf(once, layer));
+      expect(Math.abs(lengthOf(pathsOf(twice, layer)) / expected - 1)).toBeLessThan(0.02);
+    }
+  });
+
+  test('and nothing dashed lies on a visible line', async () => {
+    const svg = await draw(await cube(-0.4), await cube(0.4));
+    const places = (layer: string) => pathsOf(svg, layer).flatMap((data) => ringsOf(data).flatMap(samplesOf));
+    const seen = places('outlines');
+    const dashed = places('hidden');
+    expect(dashed.length).toBeGreaterThan(50);
+    const onSeen = dashed.filter(([x, y, dx, dy]) =>
+      seen.some((one) => Math.hypot(one[0] - x, one[1] - y) < 0.1 && Math.abs(one[2] * dx + one[3] * dy) > 0.99),
+    );
+    expect(onSeen.length).toBeLessThan(0.02 * dashed.length);
   });
 });

@@ -26,6 +26,8 @@ describe('wrong options end in one sentence that names them', () => {
     [{ kind: 'pen', penWidth: 0 }, 'drawSVG.penWidth: 0 is not a number in (0, ∞).'],
     [{ penWidth: 0.3 }, "drawSVG: penWidth is only for kind: 'pen'."],
     [{ leastWidth: -1 }, 'drawSVG.leastWidth: -1 is not a number in [0, ∞).'],
+    [{ kind: 'pen', shortest: -1 }, 'drawSVG.shortest: -1 is not a number in [0, ∞).'],
+    [{ shortest: 2 }, "drawSVG: shortest is only for kind: 'pen'."],
     [{ kind: 'pen', leastWidth: 0.1 }, "drawSVG: leastWidth is only for kind: 'print'."],
     [{ kind: 'pen', paper: 'white' }, "drawSVG: paper is only for kind: 'print'."],
     [{ paper: {} }, 'drawSVG: paper'],
