@@ -2,7 +2,7 @@
 // cavities must show under any light: it loses as much where most of the sky is hidden, and nearly nothing elsewhere, so that open forms
 // keep their lights.
 uniform float occlusion; // strength of ambient occlusion
-uniform float openOcclusion; // the occlusion of the open parts of a room, which count as open to the sky; 0 elsewhere
+uniform float openOcclusion; // the occlusion that counts as open to the sky, in rooms and among many deep hollows; 0 elsewhere
 
 // The baked occlusion of the side that is seen, relative to that of the open parts.
 float occluded() {

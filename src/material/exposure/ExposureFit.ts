@@ -156,6 +156,7 @@ export class ExposureFit {
   private readonly wanted = new WeightedValues();
   private readonly lightness = new WeightedValues();
   private readonly fromAbove = new WeightedValues();
+  private readonly fromAround = new WeightedValues();
   private readonly colors = new WeightedColors();
   private isStale = true;
 
@@ -167,10 +168,10 @@ export class ExposureFit {
   update(scene: Object3D, layers: number): ToneFit {
     if (!this.contents.read(scene, layers) && !this.isStale) return this.fit;
     this.isStale = false;
-    const { arriving, wanted, lightness, fromAbove, colors, contents } = this;
-    for (const values of [arriving, wanted, lightness, fromAbove, colors]) values.clear();
+    const { arriving, wanted, lightness, fromAbove, fromAround, colors, contents } = this;
+    for (const values of [arriving, wanted, lightness, fromAbove, fromAround, colors]) values.clear();
     const all = placesOf(contents);
-    const openOcclusion = openOcclusionOf(all, fromAbove);
+    const openOcclusion = openOcclusionOf(all, { fromAbove, fromAround });
     const places = formedAmong(all);
     const lights = new LightsAround(contents);
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
@@ -246,10 +247,20 @@ const ROOM = { share: 0.4, from: 0.3, to: 0.45 };
 const FLOOR = { from: 0.03, to: 0.05 };
 
 /**
- * The occlusion that counts as open: 0, unless nearly all that is seen from above is a floor with walls around it. What is not level
- * counts as open, since rooms have floors.
+ * The share of all that is seen from anywhere that may be solid dark, the occlusion that its lightest place has once it is lightened, and the
+ * occlusions from which on that place may be and is too dark.
  */
-function openOcclusionOf(places: readonly Place[], fromAbove: WeightedValues): number {
+const SOLID = { share: 0.15, occlusion: 0.2, from: 0.62, to: 0.7 };
+
+/**
+ * The occlusion that counts as open: 0, unless nearly all that is seen from above is a floor with walls around it, or so much lies in deep
+ * hollows that it would be one black, as in a doll's house, shelves or a lattice. What is not level counts as open to a floor, since rooms
+ * have floors.
+ */
+function openOcclusionOf(
+  places: readonly Place[],
+  { fromAbove, fromAround }: Record<'fromAbove' | 'fromAround', WeightedValues>,
+): number {
   let [level, all] = [0, 0];
   for (const { samples, material, toWorld, weight, area } of places) {
     const { normals, occlusion, count } = samples;
@@ -264,13 +275,18 @@ function openOcclusionOf(places: readonly Place[], fromAbove: WeightedValues): n
         const occluded = occlusion[2 * i + side];
         const seen = (weight * area * (1 - occluded)) / count;
         all += seen;
+        fromAround.add(occluded, seen);
         if (upwards > LEVEL) level += seen;
         fromAbove.add(upwards > LEVEL ? occluded : 0, seen * upwards);
       }
     }
   }
+  if (all === 0) return 0;
   const floor = fromAbove.quantile(ROOM.share);
-  return floor * smoothstep(ROOM.from, ROOM.to, floor) * smoothstep(FLOOR.from, FLOOR.to, level / all);
+  const ofRoom = floor * smoothstep(ROOM.from, ROOM.to, floor) * smoothstep(FLOOR.from, FLOOR.to, level / all);
+  const deep = relativeOcclusion(fromAround.quantile(1 - SOLID.share), ofRoom);
+  const ofHollows = ((deep - SOLID.occlusion) / (1 - SOLID.occlusion)) * smoothstep(SOLID.from, SOLID.to, deep);
+  return ofRoom + (1 - ofRoom) * ofHollows;
 }
 
 /** What is known of the surfaces of a scene, by their area. */

@@ -11,7 +11,7 @@ export interface ToneFit {
   offset: number;
   /** The lightness of colours that are left blank, from 0, black, to 1, white (CIE lightness). Lighter colours are left blank too. */
   white: number;
-  /** The occlusion, from 0 to less than 1, that counts as open to the sky: that of the floor in an open room, 0 elsewhere. */
+  /** The occlusion, from 0 to less than 1, that counts as open to the sky, in open rooms and among many deep hollows; 0 elsewhere. */
   openOcclusion: number;
   /** The plan of values, from the colours of surfaces to darkness. */
   plan: ValuePlan;

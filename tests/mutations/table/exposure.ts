@@ -13,6 +13,17 @@ export const exposure: readonly Mutation[] = [
     },
   },
   {
+    name: 'all hollows may be solid dark',
+    file: 'src/material/exposure/ExposureFit.ts',
+    find: 'return ofRoom + (1 - ofRoom) * ofHollows',
+    replace: 'return ofRoom',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/openOcclusion.test.ts',
+      title: 'no more than a seventh of it stays darker than a faint hollow',
+    },
+  },
+  {
     name: 'hollows in rooms count from the open sky on, as lines',
     file: 'src/look/relativeOcclusion.ts',
     find: 'occluded - open',

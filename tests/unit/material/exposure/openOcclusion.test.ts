@@ -72,6 +72,44 @@ describe('the occlusion that counts as open', () => {
   });
 });
 
+/** A board of 1, upright, with a baked occlusion on its front. Boards lie apart. */
+function board(occlusion: number, width: number, at: number): Mesh {
+  const mesh = baked(new PlaneGeometry(width, 1), occlusion);
+  mesh.position.set(at, 0, 0);
+  return mesh;
+}
+
+describe('where much that is seen lies in deep hollows', () => {
+  const outside = board(0, 1, 0);
+
+  test('no more than a seventh of it stays darker than a faint hollow', () => {
+    // Of what is seen the hollows are (1 − 0.8) · 3 and (1 − 0.9) · 1, beside 1: 0.35 and 0.06.
+    const open = openOf(outside, board(0.8, 3, 5), board(0.9, 1, 10));
+    expect(relativeOcclusion(0.8, open)).toBeCloseTo(0.2, 2);
+    expect(relativeOcclusion(0.9, open)).toBeCloseTo(0.6, 2);
+    expect(relativeOcclusion(0, open)).toBe(0);
+  });
+
+  test('a few deep hollows, many shallow ones, and the hidden inside of a closed body stay as they are', () => {
+    expect(openOf(outside, board(0.8, 0.8, 5))).toBe(0);
+    expect(openOf(outside, board(0.55, 9, 5))).toBe(0);
+    expect(openOf(outside, board(0.99, 12, 5))).toBe(0);
+  });
+
+  test('they become lighter without a jump', () => {
+    const depths = [0.58, 0.619, 0.625, 0.64, 0.66, 0.7, 0.75];
+    const opens = depths.map((occlusion) => openOf(outside, board(occlusion, 9, 5)));
+    expect(opens.slice(0, 2)).toEqual([0, 0]);
+    expect(opens[2]).toBeGreaterThan(0);
+    expect(opens[2]).toBeLessThan(0.05);
+    expect(opens).toEqual([...opens].sort((a, b) => a - b));
+  });
+});
+
+test('no surface, no hollow', () => {
+  expect(openOf()).toBe(0);
+});
+
 describe('relative occlusion', () => {
   test('is nothing up to that of the open parts, and all where nothing of the sky is seen', () => {
     expect([0, 0.4, 0.5, 0.75, 1].map((occluded) => relativeOcclusion(occluded, 0.5))).toEqual([0, 0, 0, 0.5, 1]);
