@@ -38,14 +38,19 @@ export interface OcclusionScene {
   twoSided: number;
   /**
    * x, y, z of each sample: a position on a surface where occlusion is measured, lifted off it by a pixel of its view. First come those of
-   * vertices, then those within large flat triangles, each of which stands for a vertex.
+   * vertices, then those within triangles, each of which stands for a vertex.
    */
   samplePositions: Float32Array<ArrayBuffer>;
-  /** The unit normal of each sample of a vertex; zero if it has none. */
+  /** The unit normal of each sample of a vertex, zero if it has none; then those of stand-ins. */
   sampleNormals: Float32Array<ArrayBuffer>;
-  /** For each sample within a triangle the sample of the vertex that it stands for. */
+  /** For each sample within a triangle the sample of the vertex that it stands for, or the number of vertices plus that of a stand-in. */
   standsFor: Uint32Array<ArrayBuffer>;
-  /** Two sums for each sample of a vertex: the cosines of all directions so far, and the cosines of those in which the sky is visible. */
+  /** For each stand-in the sample of the vertex whose occlusion it has if that vertex is buried in a body. */
+  standIns: Uint32Array<ArrayBuffer>;
+  /**
+   * Two sums for each sample of a vertex, then for each stand-in: the cosines of all directions so far, and the cosines of those in which
+   * the sky is visible.
+   */
   sums: Float32Array<ArrayBuffer>;
   views: OcclusionView[];
   /** For each mesh with normals the sample of each vertex, or NO_SAMPLE; where both sides are drawn, that of the front. */

@@ -1,3 +1,4 @@
+import { smoothstep } from '../../look/vectors.js';
 import { EDGE, mapAxes, type Projection, project, projectionOf } from '../parallelProjection.js';
 import { asPhase, chunkPhase, forEachChunk } from '../phases.js';
 import { MAP_SIZE, NO_SAMPLE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
@@ -42,9 +43,10 @@ export function* addDirections({
       lookUp(maps, scene, view, projection, start, end),
     );
   }
+  const occlusionAt = occlusionIn(scene);
   return {
     scene,
-    occlusions: scene.sampleOf.map((sampleOf, i) => occlusionsOf(scene.sums, sampleOf, scene.backAfter[i])),
+    occlusions: scene.sampleOf.map((sampleOf, i) => occlusionsOf(occlusionAt, sampleOf, scene.backAfter[i])),
   };
 }
 
@@ -57,7 +59,7 @@ function lookUp(
   end: number,
 ): void {
   const size = MAP_SIZE;
-  const vertices = sums.length / 2;
+  const vertices = samplePositions.length / 3 - standsFor.length;
   for (let i = start; i < end; i++) {
     const sample = samples[i];
     const vertex = sample < vertices ? sample : standsFor[sample - vertices];
@@ -75,21 +77,39 @@ function lookUp(
   }
 }
 
-function occlusionsOf(sums: Float32Array, sampleOf: Uint32Array, backAfter: number): Int16Array<ArrayBuffer> {
+type OcclusionAt = (sample: number) => number;
+
+function occlusionsOf(occlusionAt: OcclusionAt, sampleOf: Uint32Array, backAfter: number): Int16Array<ArrayBuffer> {
   const occlusions = new Int16Array(sampleOf.length);
   for (let vertex = 0; vertex < sampleOf.length; vertex++) {
     const sample = sampleOf[vertex];
     if (sample === NO_SAMPLE) continue;
-    const one = occlusionAt(sums, sample);
-    occlusions[vertex] = backAfter === 0 ? packedSide(one) : packedSides(one, occlusionAt(sums, sample + backAfter));
+    const one = occlusionAt(sample);
+    occlusions[vertex] = backAfter === 0 ? packedSide(one) : packedSides(one, occlusionAt(sample + backAfter));
   }
   return occlusions;
 }
 
-/** The occlusion of a sample: the share of the directions above it in which the sky is hidden, weighted by their cosines. */
-function occlusionAt(sums: Float32Array, sample: number): number {
-  const above = sums[2 * sample];
-  return above > 0 ? 1 - sums[2 * sample + 1] / above : 0;
+/** The occlusions at which a vertex may be and is buried in a body. */
+const BURIED = { from: 0.9, to: 1 };
+
+/**
+ * The occlusion of a sample of a vertex: the share of the directions above it in which the sky is hidden, weighted by their cosines. A vertex
+ * that is buried in a body has that of its stand-in, which is seen.
+ */
+function occlusionIn({ sums, standIns, samplePositions, standsFor }: OcclusionScene): OcclusionAt {
+  const hiddenAt = (sample: number): number => {
+    const above = sums[2 * sample];
+    return above > 0 ? 1 - sums[2 * sample + 1] / above : 0;
+  };
+  const vertices = samplePositions.length / 3 - standsFor.length;
+  const ofVertices = new Map(Array.from(standIns, (vertex, i) => [vertex, vertices + i]));
+  return (sample) => {
+    const hidden = hiddenAt(sample);
+    const standIn = hidden > BURIED.from ? ofVertices.get(sample) : undefined;
+    if (standIn === undefined) return hidden;
+    return hidden + smoothstep(BURIED.from, BURIED.to, hidden) * (hiddenAt(standIn) - hidden);
+  };
 }
 
 /** The depth maps of a pair of opposite directions. Depth grows towards the first of the two skies. */

@@ -70,7 +70,6 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
     first += count;
     if (hasBack) firstOfBack += count;
   }
-  const sums = new Float32Array(2 * firstOfBack);
   // Chosen by fronts alone: where one side is drawn, backs elsewhere change nothing.
   const views = chooseViews(scene.samplePositions.subarray(0, 3 * fronts));
   for (const view of views) view.samples = withBacks(view.samples, backAfter);
@@ -86,16 +85,18 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
       }
     }
   }
-  const { within, standsFor } = yield* samplesWithin(
+  const { within, standsFor, standIns } = yield* samplesWithin(
     meshes.filter(({ normals }) => normals !== null),
-    { ...scene, sums, views },
+    { ...scene, views },
   );
   addToViews(views, within, firstOfBack);
   return {
     ...scene,
     samplePositions: joined(Float32Array, [scene.samplePositions, Float32Array.from(within)]),
+    sampleNormals: joined(Float32Array, [scene.sampleNormals, pick(scene.sampleNormals, Uint32Array.from(standIns))]),
     standsFor: Uint32Array.from(standsFor),
-    sums,
+    standIns: Uint32Array.from(standIns),
+    sums: new Float32Array(2 * (firstOfBack + standIns.length)),
     views,
   };
 }
@@ -303,7 +304,7 @@ function numbered(canonical: Uint32Array, indices: Uint32Array) {
   return { numbers, firsts: firsts.subarray(0, count) };
 }
 
-function pick(triples: Float32Array, vertices: Uint32Array): Float32Array {
+function pick(triples: Float32Array, vertices: Uint32Array): Float32Array<ArrayBuffer> {
   const picked = new Float32Array(3 * vertices.length);
   for (let i = 0; i < vertices.length; i++) {
     picked[3 * i] = triples[3 * vertices[i]];

@@ -35,6 +35,17 @@ export const occlusion: readonly Mutation[] = [
     },
   },
   {
+    name: 'rods with buried ends are black',
+    file: 'src/mesh/occlusion/addDirections.ts',
+    find: 'BURIED = { from: 0.9, to: 1 }',
+    replace: 'BURIED = { from: 9, to: 10 }',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/mesh/occlusion/occlusion.test.ts',
+      title: 'whose ends lie in balls is lit, since it is seen between them',
+    },
+  },
+  {
     name: 'mirrored meshes are dark outside',
     file: 'src/mesh/occlusion/startOcclusion.ts',
     find: 'sign * Math.sign(',

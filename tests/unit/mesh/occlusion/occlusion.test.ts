@@ -1,4 +1,12 @@
-import { BoxGeometry, type BufferGeometry, Matrix4, PlaneGeometry, SphereGeometry } from 'three';
+import {
+  BoxGeometry,
+  type BufferGeometry,
+  CylinderGeometry,
+  Matrix4,
+  PlaneGeometry,
+  SphereGeometry,
+  TorusGeometry,
+} from 'three';
 import { describe, expect, test } from 'vitest';
 import { addDirections } from '../../../../src/mesh/occlusion/addDirections.js';
 import { BACK, FRONT, type OcclusionMesh, type OcclusionScene } from '../../../../src/mesh/occlusion/OcclusionScene.js';
@@ -177,6 +185,33 @@ describe('a floor of two triangles', () => {
     const roof = meshOf(new PlaneGeometry(1.9, 1.9).rotateX(Math.PI / 2).translate(0, 0.05, 0));
     const [values] = bakeOf([meshOf(floor()), roof], 64).occlusions;
     for (const value of values) expect(value).toBeGreaterThan(0.5);
+  });
+});
+
+describe('a rod', () => {
+  const rod = () => meshOf(new CylinderGeometry(0.05, 0.05, 2, 12, 1, true));
+  const balls = () => [-1, 1].map((y) => meshOf(new SphereGeometry(0.3, 24, 16).translate(0, y, 0)));
+
+  test('whose ends lie in balls is lit, since it is seen between them', () => {
+    const [values] = bakeOf([rod(), ...balls()], 24).occlusions;
+    for (const value of values) expect(value).toBeLessThan(0.5);
+    expect(Math.min(...values)).toBeGreaterThan(0.02);
+  });
+
+  test('that is drawn from both sides is lit outside, and dark within', () => {
+    const both = meshOf(new CylinderGeometry(0.05, 0.05, 2, 12, 1, true), { sides: 'both' });
+    const scene = finish(startOcclusion({ meshes: [both, ...balls()] }));
+    const [values] = finish(addDirections({ scene, pairs: pairsFrom(0, 24) })).occlusions;
+    expect(largest(sideOf(values, false))).toBeLessThan(0.5);
+    expect(Math.min(...sideOf(values, true))).toBeGreaterThan(0.9);
+  });
+
+  test('that lies in a body as a whole is dark, and one with free ends goes by these', () => {
+    const [within] = bakeOf([rod(), meshOf(new BoxGeometry(1, 3, 1))], 24).occlusions;
+    expect(Math.min(...within)).toBeGreaterThan(0.98);
+    const ring = meshOf(new TorusGeometry(0.12, 0.06, 12, 24).rotateX(Math.PI / 2));
+    const [free] = bakeOf([rod(), ring], 24).occlusions;
+    expect(largest(free)).toBeLessThan(0.02);
   });
 });
 
