@@ -98,7 +98,7 @@ export function checkValue(name: HatchingPropertyName, value: unknown): void {
 export function checkHand(value: unknown): void {
   const { version, strokes, numbers } = Object(value) as Partial<Hand>;
   const isHand = version === 1 && Array.isArray(strokes) && strokes.length > 0 && typeof numbers === 'object';
-  check('hand', value === null || isHand, 'a hand, as learnHand makes it, or null');
+  check('hand', value === null || isHand, 'a hand of version 1, as learnHand makes it, or null');
 }
 
 /** @throws TypeError unless `value` is null or a point */

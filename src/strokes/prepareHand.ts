@@ -1,7 +1,7 @@
 import { checkHand } from './hand/checkHand.js';
 import type { Hand, HandNumbers, SwatchTone } from './hand/Hand.js';
 import { arcAt, measureStroke, type StrokeMeasure } from './hand/measureStroke.js';
-import { distance, polylineOf, resample, splitAtTurns } from './hand/Polyline.js';
+import { distance, type Polyline, polylineOf, resample, splitAtTurns } from './hand/Polyline.js';
 import { separateLayers } from './hand/separateLayers.js';
 import { type Random, random } from './random.js';
 import { PROFILE_SAMPLES } from './Stroke.js';
@@ -18,7 +18,7 @@ const WAVES = 7;
 /** Bounds of the length and the width of a stroke, relative to the intended ones. */
 const [LEAST_FACTOR, MOST_FACTOR] = [0.3, 2.5];
 
-/** Largest number of strokes used, evenly selected. */
+/** Largest number of strokes that maps are drawn with. */
 const MOST_STROKES = 1000;
 
 /** A hand in the form in which maps are drawn with it. */
@@ -49,20 +49,31 @@ const STROKES_PER_SLICE = 50;
  * Everything that is drawn uses only arithmetic that IEEE 754 rounds exactly, so the same hand gives the same map on every machine.
  *
  * @param caller what the errors name
+ * @param most the largest number of strokes that are used, evenly selected; dots do not count
  * @throws TypeError or RangeError with the fault of the hand, at the first steps; yields progress in [0, 1]
  */
-export function* prepareHand(hand: Hand, caller = 'TonalArtMap'): Generator<number, PreparedHand, void> {
+export function* prepareHand(
+  hand: Hand,
+  caller = 'TonalArtMap',
+  most = MOST_STROKES,
+): Generator<number, PreparedHand, void> {
   checkHand(caller, hand);
   const { numbers, mirror = false } = hand;
-  const every = Math.ceil(hand.strokes.length / MOST_STROKES);
-  const strokes = hand.strokes.filter((_, i) => i % every === 0);
-  const pieces: StrokeMeasure[] = [];
-  for (const [index, stroke] of strokes.entries()) {
-    for (const line of splitAtTurns(polylineOf(stroke))) pieces.push(measureStroke(line, stroke.swatch ?? 'middle'));
-    if (index % STROKES_PER_SLICE === STROKES_PER_SLICE - 1) yield (0.5 * index) / strokes.length;
+  const strokes: { lines: Polyline[]; swatch: SwatchTone }[] = [];
+  for (const [index, stroke] of hand.strokes.entries()) {
+    const lines = splitAtTurns(polylineOf(stroke));
+    if (lines.length > 0) strokes.push({ lines, swatch: stroke.swatch ?? 'middle' });
+    if (index % STROKES_PER_SLICE === STROKES_PER_SLICE - 1) yield (0.3 * index) / hand.strokes.length;
   }
-  if (pieces.length === 0)
+  if (strokes.length === 0)
     throw new RangeError(`${caller}: hand: all strokes are dots; draw strokes longer than wide.`);
+  const used = Math.min(most, strokes.length);
+  const pieces: StrokeMeasure[] = [];
+  for (let i = 0; i < used; i++) {
+    const { lines, swatch } = strokes[Math.floor((i * strokes.length) / used)];
+    for (const line of lines) pieces.push(measureStroke(line, swatch));
+    if (i % STROKES_PER_SLICE === STROKES_PER_SLICE - 1) yield 0.3 + (0.2 * i) / used;
+  }
 
   const next = random(pieces.length);
   const shapes: Shape[] = [];

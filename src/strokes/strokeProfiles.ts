@@ -1,5 +1,4 @@
 import { runToEnd } from '../mesh/phases.js';
-import { checkHand } from './hand/checkHand.js';
 import type { Hand, HandNumbers, SwatchTone } from './hand/Hand.js';
 import { HAND_TEXTURE, MOST_REACH } from './handConstants.js';
 import { type PreparedHand, prepareHand } from './prepareHand.js';
@@ -73,7 +72,7 @@ export interface StrokeProfiles {
  * @throws TypeError or RangeError with the fault of the hand
  */
 export function strokeProfiles(hand: Hand): StrokeProfiles {
-  const { shapes, numbers } = preparedAtOnce(hand);
+  const { shapes, numbers } = runToEnd(prepareHand(hand, 'HatchingMaterial', MOST_PROFILES));
   const chosen = chosenShapes(shapes);
   const { filled, shorter } = cellOf(numbers);
   const share = filled * (1 - 0.5 * shorter);
@@ -110,15 +109,6 @@ export function strokeProfiles(hand: Hand): StrokeProfiles {
     ...{ offset, halfWidth, spacing, filled, shorter },
     cell: numbers.length / share,
   };
-}
-
-/** Prepares as many strokes of a hand as are drawn, evenly selected. */
-function preparedAtOnce(hand: Hand): PreparedHand {
-  checkHand('HatchingMaterial', hand);
-  const { strokes } = hand;
-  const every = Math.max(1, strokes.length / MOST_PROFILES);
-  const selected = Array.from({ length: Math.floor(strokes.length / every) }, (_, i) => strokes[Math.floor(i * every)]);
-  return runToEnd(prepareHand({ ...hand, strokes: selected }, 'HatchingMaterial'));
 }
 
 type Shape = PreparedHand['shapes'][number];

@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import type { Hand, HandStroke } from '../../src/strokes/hand/Hand.js';
 import { learnHand } from '../../src/strokes/hand/learnHand.js';
 import { drawSwatches } from '../../src/strokes/hands/drawSwatch.js';
 import { exampleHabits } from '../../src/strokes/hands/exampleHabits.js';
@@ -150,32 +151,82 @@ test('another hand is drawn with the same program and the same texture, and null
   expect(shots[2]).toEqual(shots[3]);
 });
 
-test('a hand with a fault is refused, and the last one stays', async ({ page }) => {
-  const { messages, stays } = await page.evaluate(async (hand) => {
-    const { HatchingMaterial } = window.toolkit;
-    const material = new HatchingMaterial({ technique: 'pen', hand });
-    await material.ready;
-    const faults = [
-      { ...hand, version: 2 },
-      { ...hand, strokes: [] },
-      { ...hand, strokes: [{ points: [0, 0, 0, 0], widths: [1, 1] }] },
-      { ...hand, numbers: { ...hand.numbers, width: Number.NaN } },
-    ];
-    const messages = faults.map((fault) => {
-      try {
-        material.hand = fault as typeof hand;
-        return 'no error';
-      } catch (error) {
-        return String(error);
+/** Hands with a fault, by what is said of them. */
+const faultsOf = (hand: Hand): [said: string, fault: unknown][] => [
+  ['version 1', { ...hand, version: 2 }],
+  ['a hand of version 1', 'hand.json'],
+  ['a hand of version 1', { ...hand, strokes: [] }],
+  ['all strokes are dots', { ...hand, strokes: [{ points: [0, 0, 0, 0], widths: [1, 1] }] }],
+  ['all strokes are dots', { ...hand, strokes: hand.strokes.map(({ points }) => dotOf(points)) }],
+  ['points\\[1\\] is null', { ...hand, strokes: [{ points: [0, null, 9, 0], widths: [1, 1] }] }],
+  ['numbers.width is NaN', { ...hand, numbers: { ...hand.numbers, width: Number.NaN } }],
+  ['numbers.length is 0', { ...hand, numbers: { ...hand.numbers, length: 0 } }],
+];
+
+/** A stroke as far as its first point, ten times as wide as long. */
+const dotOf = ([x, y]: readonly number[]): HandStroke => ({ points: [x, y, x + 0.1, y], widths: [1, 1] });
+
+test('a hand with a fault is refused in a sentence, and the last one stays: of materials, presets and their changes', async ({
+  page,
+}) => {
+  const faults = faultsOf(hands.brush);
+  const { told, stay } = await page.evaluate(
+    async ([hand, faults]) => {
+      const { THREE, applyHatching, HatchingMaterial, presets, sceneOf, sun } = window.toolkit;
+      const material = new HatchingMaterial({ technique: 'pen', hand });
+      await material.ready;
+      const scene = () => sceneOf(new THREE.Mesh(new THREE.SphereGeometry(), new THREE.MeshBasicMaterial()), sun());
+      const drawn = scene();
+      const hatched = await applyHatching(drawn, { preset: 'pen', outlines: false, material: { hand } });
+      const [inScene] = hatched.materials;
+      const told: string[][] = [];
+      for (const fault of faults as (typeof hand)[]) {
+        const mine = { ...presets.pen, material: { ...presets.pen.material, hand: fault } };
+        const ways = [
+          async () => Object.assign(material, { hand: fault }),
+          async () => material.setValues({ strokeWidth: 3, hand: fault }),
+          async () => new HatchingMaterial({ technique: 'pen', hand: fault }),
+          () => applyHatching(scene(), { preset: mine, outlines: false }),
+          () => hatched.setPreset('pen', { material: { hand: fault } }),
+        ];
+        const messages: string[] = [];
+        for (const way of ways) messages.push(await way().then(() => 'no error', String));
+        told.push(messages);
       }
-    });
-    return {
-      messages,
-      stays: material.hand === material.clone().hand && material.hand?.numbers.width === hand.numbers.width,
-    };
-  }, hands.brush);
-  for (const message of messages) expect(message).toMatch(/^(TypeError|RangeError): HatchingMaterial.*\.$/);
-  expect(stays).toBe(true);
+      const stay = [
+        material.hand === hand,
+        inScene === hatched.materials[0],
+        (inScene as typeof material).hand === hand,
+      ];
+      hatched.dispose();
+      material.dispose();
+      return { told, stay };
+    },
+    [hands.brush, faults.map(([, fault]) => fault)] as const,
+  );
+  for (const [i, [said]] of faults.entries())
+    for (const message of told[i]) expect(message).toMatch(new RegExp(`^(TypeError|RangeError): .*${said}.*\\.$`));
+  expect(stay).toEqual([true, true, true]);
+});
+
+test('a hand of one stroke, of a thousand, or 100 mm wide is drawn in its tone', async ({ page }) => {
+  const { brush } = hands;
+  const drawn = {
+    'one stroke': { ...brush, strokes: brush.strokes.slice(0, 1) },
+    'a thousand': {
+      ...brush,
+      strokes: Array.from({ length: 1000 }, (_, i) => brush.strokes[i % brush.strokes.length]),
+    },
+    '100 mm': { ...brush, numbers: { ...brush.numbers, width: 100 } },
+  };
+  for (const [name, hand] of Object.entries(drawn)) {
+    const { darkness } = await drawPlane(page, hand, [0.4, 0.95]);
+    test.info().annotations.push({ type: 'measured', description: `${name}: ${darkness.join(', ')}` });
+    // The picture lies within two or three strokes of 100 mm.
+    const most = name === '100 mm' ? 0.35 : 0.05;
+    expect(Math.abs(darkness[0] - 0.4), `${name}: ${darkness}`).toBeLessThan(most);
+    expect(Math.abs(darkness[1] - 0.95), `${name}: ${darkness}`).toBeLessThan(most);
+  }
 });
 
 test('strokes of a hand end on degenerate surfaces', async ({ page }) => {

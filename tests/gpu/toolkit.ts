@@ -14,6 +14,7 @@ import {
   HatchingMaterial,
   type HatchingMaterialParameters,
   prepareHatchingGeometry,
+  presets,
   TonalArtMap,
 } from 'three-hatching';
 import { scaledSizes } from 'three-hatching/facts';
@@ -151,6 +152,7 @@ const toolkit = {
   AdaptiveResolution,
   scaledSizes,
   prepareHatchingGeometry,
+  presets,
   TonalArtMap,
   SIZE,
   greyMap,

@@ -34,14 +34,16 @@ export class HandTextures {
 
   /**
    * The strokes of the hand that a material draws with from now on. Where nothing else draws with the hand before it, its texture is
-   * written anew. A hand with a fault, which is reported, leaves the material the hand before it.
+   * written anew. A hand with a fault, which is reported, leaves the material the hand before it, or none.
    */
   use(material: HatchingMaterialProperties, hand: Hand): DrawnHand | undefined {
     try {
       return this.chosenBy(material, hand);
     } catch (error) {
-      warn(`${(error as Error).message} The hand before it stays.`, 'error');
-      material.hand = this.chosen.get(material) ?? null;
+      const before = this.chosen.get(material) ?? null;
+      const instead = before ? 'The hand before it stays.' : 'The strokes are those of the technique "pen".';
+      warn(`${(error as Error).message} ${instead}`, 'error');
+      material.hand = before;
       return undefined;
     }
   }

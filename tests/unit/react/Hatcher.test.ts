@@ -14,6 +14,7 @@ import {
   TorusGeometry,
 } from 'three';
 import { type ApplyHatchingOptions, type HatchedScene, HatchingMaterial, presets, TonalArtMap } from 'three-hatching';
+import { exampleHand } from 'three-hatching/hands';
 import { expect, test, vi } from 'vitest';
 import { Hatcher } from '../../../src/react/Hatcher.js';
 import { eventually } from '../patience.js';
@@ -261,6 +262,24 @@ test('an error is told once, and tried again when something changes', async () =
   hatcher.update({ preset: 'technical' });
   await next();
   materialOf(mesh);
+});
+
+test('a hand with a fault is told once, and the one before it stays', async () => {
+  const [hand, other] = [exampleHand('brush'), exampleHand('reedPen')];
+  const { mesh, hatcher, errors, next } = atWork({ preset: 'pen', material: { hand } });
+  await next();
+  const material = materialOf(mesh);
+  const dots = { ...hand, strokes: [{ points: [1, 1, 1.1, 1], widths: [1, 1] }] };
+  hatcher.update({ preset: 'pen', material: { hand: dots } });
+  await next();
+  hatcher.update({ preset: 'pen', material: { hand: { ...dots } } });
+  await new Promise((go) => setTimeout(go));
+  expect(errors.map(String)).toEqual([expect.stringMatching(/: all strokes are dots.*\.$/)]);
+  expect(materialOf(mesh)).toBe(material);
+  expect(material.hand).toBe(hand);
+  hatcher.update({ preset: 'pen', material: { hand: other } });
+  await next();
+  expect(materialOf(mesh).hand).toBe(other);
 });
 
 test('whoever is disposed of at work leaves the scene to the next, as in StrictMode', async () => {

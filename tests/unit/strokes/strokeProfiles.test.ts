@@ -142,6 +142,13 @@ test.each([
   expect(offset + halfWidth + widest).toBeLessThanOrEqual(MOST_REACH + 1e-6);
 });
 
+test('a stroke is found among thousands of dots', () => {
+  const dot: HandStroke = { points: [0, 0, 0.1, 0], widths: [1, 1] };
+  const hand = learnHand(rows(3));
+  const dotted = { ...hand, strokes: [...Array.from({ length: 3000 }, () => dot), stroke(0)] };
+  expect(strokeProfiles(dotted).count).toBeGreaterThan(0);
+});
+
 test.each([
   ['there are no strokes', { strokes: [] }],
   ['all strokes are dots', { strokes: [{ points: [1, 1, 1, 1], widths: [1, 1] }] }],
