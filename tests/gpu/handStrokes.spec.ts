@@ -114,6 +114,51 @@ test('strokes end straight across their rows, also where these run askew to the 
   expect(Math.abs(lean), measured).toBeLessThan(0.05);
 });
 
+/** How far strokes lean on a dark wall: from −1, all from the lower left to the upper right, to 1; 0 for those along its sides. */
+const leanOfWall = (page: Page, hand: Hand, direction: 'x' | 'y' | 'form'): Promise<number> =>
+  page.evaluate(
+    async ([hand, direction]) => {
+      const { THREE, HatchingMaterial, makeRenderer, prepareHatchingGeometry, sceneOf, sun, pixelsOf, SIZE } =
+        window.toolkit;
+      const material = new HatchingMaterial({ technique: 'pen', direction, hand, screenSpaceShare: 1 });
+      await material.ready;
+      const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(4, 4, 8, 8), { form: true });
+      const scene = sceneOf(new THREE.Mesh(geometry, material), sun(Math.PI, [Math.sqrt(1 - 0.4 ** 2), 0, 0.4]));
+      const pixels = pixelsOf(scene, makeRenderer()).filter((_, i) => i % 4 === 0);
+      let [crossed, all] = [0, 0];
+      for (let i = SIZE; i < pixels.length - SIZE; i++) {
+        const dx = pixels[i + 1] - pixels[i - 1];
+        const dy = pixels[i + SIZE] - pixels[i - SIZE];
+        crossed += 2 * dx * dy;
+        all += dx * dx + dy * dy;
+      }
+      material.dispose();
+      return crossed / all;
+    },
+    [hand, direction] as const,
+  );
+
+for (const [direction, clockwise] of [
+  ['x', -1],
+  ['y', 1],
+  ['form', -1],
+] as const) {
+  test(`the second layer of a hand is turned from the first as on the sheet, clockwise or back: ${direction}`, async ({
+    page,
+  }) => {
+    const still = { angleSpread: 0, wobble: 0, curvature: 0, crossingFrom: 0.3 };
+    const leanAt = (crossingAngle: number): Promise<number> =>
+      leanOfWall(page, { ...hands.feltTip, numbers: { ...hands.feltTip.numbers, ...still, crossingAngle } }, direction);
+    const leans: number[] = [];
+    for (const angle of [-50, 0, 50]) leans.push(clockwise * (await leanAt(angle)));
+    const measured = leans.map((lean) => lean.toFixed(3)).join(', ');
+    test.info().annotations.push({ type: 'measured', description: measured });
+    expect(leans[0], measured).toBeLessThan(-0.2);
+    expect(Math.abs(leans[1]), measured).toBeLessThan(0.05);
+    expect(leans[2], measured).toBeGreaterThan(0.2);
+  });
+}
+
 test('another hand is drawn with the same program and the same texture, and null draws the strokes of the pen', async ({
   page,
 }) => {

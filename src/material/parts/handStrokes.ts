@@ -48,7 +48,10 @@ export const part: MaterialPart = {
     u.irregularity.value = 0;
     const isCrossed = crossingAngle !== 0 && !runsAway(material);
     u.crossFrom.value = isCrossed ? crossingFrom : 1;
-    const angle = (Math.abs(crossingAngle) * Math.PI) / 180;
-    u.layerTurns.value.set(Math.cos(angle), Math.sin(angle), -Math.sin(angle / 2), Math.cos(angle / 2));
+    const angle = (crossingAngle * Math.PI) / 180;
+    const half = Math.abs(angle) / 2;
+    // The third family leans to the side that the second does not.
+    const side = Math.sign(crossingAngle);
+    u.layerTurns.value.set(Math.cos(angle), Math.sin(angle), -Math.sin(half), side * Math.cos(half));
   },
 };
