@@ -9,7 +9,8 @@
 // drawn: the share of strokes that are there, and what is added to their half widths.
 uniform sampler2D handStrokes;
 uniform vec4 handReach; // number of strokes, greatest offset and half width, and the share of a cell that the longest stroke fills
-uniform float handShorter; // how much shorter strokes may be than the longest, as a share
+// How much shorter strokes may be than the longest, as a share, and the share of their distance by which rows are drawn together to bundles.
+uniform vec2 handRows;
 
 // The cells of a family's rows.
 struct Cells {
@@ -78,6 +79,8 @@ vec2 bornBelow(const in float share) {
 
 // A row as a pixel sees it.
 struct Row {
+  float number; // among the old rows; young ones lie half way between two
+  float apart; // distance of old rows, in mean distances
   float away; // signed distance from it, in distances between rows
   float way; // −1 where rows are numbered, and run, the other way
   float hash, turn;
@@ -93,6 +96,18 @@ float numberOfCell(const in float cell, const in float repeat) {
   #else
     return cell;
   #endif // FOLLOWS_FORM
+}
+
+// The number of a row within its bundle, 0 for the middle one.
+float fromMiddle(const in float row) {
+  return mod(row + 0.5 * (BUNDLED_ROWS - 1.0), BUNDLED_ROWS) - 0.5 * (BUNDLED_ROWS - 1.0);
+}
+
+// How far a stroke lies aside of its row, in mean distances. lot: of the bundles of its row, from 0 to BUNDLED_ROWS − 1.
+float bundledAside(const in Row row, const in float lot) {
+  float ofAll = 0.5 * fromMiddle(2.0 * row.number + lot);
+  float drawn = fract(row.number) == 0.0 ? mix(fromMiddle(row.number + lot), ofAll, row.apart - 1.0) : ofAll;
+  return -handRows.y * row.apart * drawn;
 }
 
 // The share of a pixel that the strokes of a row cover. place, share, perPixel: of one of the coordinates along the row. spacing: pixels.
@@ -118,12 +133,20 @@ float strokeCoverage(
   there = min(there, (row.born.x - rank) / row.born.y);
   there = min(there, ((1.0 + AXIS_TURN) * share - fract(AXIS_HASH * chance)) / AXIS_TURN);
   if (!(there > 0.0)) return 0.0;
-  float size = handReach.w * (1.0 - handShorter * fract(SIZE_HASH * chance)) * (isPair ? cells.longest : 1.0);
+  float size = handReach.w * (1.0 - handRows.x * fract(SIZE_HASH * chance)) * (isPair ? cells.longest : 1.0);
   // A stroke that is not there in full is shorter, and ends as the hand ends it.
   float t = 0.5 + ((inCell - (1.0 - size) * fract(START_HASH * chance)) / size - 0.5) / there;
   if (!(t > 0.0 && t < 1.0)) return 0.0;
   float chosen = mix(0.5 * isDark, 1.0, rank) * (1.0 - SHAPES_OF_RANK) + SHAPES_OF_RANK * fract(SHAPE_HASH * chance);
   float shape = min(floor(handReach.x * chosen), handReach.x - 1.0);
+  float aside = row.way * row.away;
+  if (handRows.y > 0.0) {
+    // Strokes side by side are of one bundle, and others farther along: no gap runs all along the rows.
+    float cells = isPair ? 0.5 * most : most;
+    float place = floor((cell + 0.5 - strokeHash01(row.bits, 0.0) * cells) / BUNDLE_CELLS);
+    float lot = floor(BUNDLED_ROWS * strokeHash01(SECOND_FACTOR, numberOfCell(place, cells / BUNDLE_CELLS)));
+    aside -= bundledAside(row, lot);
+  }
   vec2 stroke = textureLod(handStrokes, vec2((t * (PLACES - 1.0) + 0.5) / PLACES, (shape + 0.5) / HAND_ROWS), 0.0).rg;
   float fromEnd = min(t, 1.0 - t);
   float halfWidth = (stroke.g + widening * min(1.0, WIDENED_ENDS * fromEnd)) * min(1.0, there / WIDE_FROM);
@@ -131,7 +154,7 @@ float strokeCoverage(
   // Blunt ends are round, as the tip of a pen leaves them.
   float toEnd = fromEnd * there * size * (isPair ? 2.0 : 1.0) * cells.period / perPixel;
   float cap = max(1.0 - toEnd / max(halfWidth, 0.5), 0.0);
-  return lineCoverage(spacing * abs(row.way * row.away - stroke.r), halfWidth * sqrt(1.0 - cap * cap), FRINGE);
+  return lineCoverage(spacing * abs(aside - stroke.r), halfWidth * sqrt(1.0 - cap * cap), FRINGE);
 }
 
 // The darkness of a family.
@@ -168,7 +191,7 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
       float way = 1.0;
     #endif // FOLLOWS_FORM
     number = abs(number) == 0.0 ? 0.0 : way * number;
-    Row row = Row((x - line) * apart, way, hash01(number), turnOf(number), bitsOfLine(number), isYoung ? bornYoung : bornOld);
+    Row row = Row(number / period, apart, (x - line) * apart, way, hash01(number), turnOf(number), bitsOfLine(number), isYoung ? bornYoung : bornOld);
     // The places of the nearest point of the row: strokes end straight across their rows.
     vec2 places = cells.places - cells.askew * ((x - line) * period);
     blank *= 1.0 - strokeCoverage(row, cells, places.x, cells.share, cells.perPixelOfRow.x, isDark, drawn.y, spacing);

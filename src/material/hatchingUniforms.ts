@@ -94,7 +94,7 @@ export function createHatchingUniforms(): Uniforms {
       stippleMap: { value: null },
       // Strokes of a hand.
       handReach: { value: new Vector4() },
-      handShorter: { value: 0 },
+      handRows: { value: new Vector2() },
       handStrokes: { value: null },
       // Paper.
       toothMap: { value: null },

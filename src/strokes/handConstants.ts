@@ -29,6 +29,9 @@ export const HAND_STROKE_CONSTANTS = {
   SIZE_HASH: 8,
   START_HASH: 128,
   SHAPE_HASH: 2048,
+  /** Rows that are drawn together to a bundle, around the middle one, and the number of cells of strokes after which others are. */
+  BUNDLED_ROWS: 3,
+  BUNDLE_CELLS: 4,
   /** The share of all shapes that a rank chooses from: light tones from those of the light swatch. */
   SHAPES_OF_RANK: 0.34,
 } as const;

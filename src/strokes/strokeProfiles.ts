@@ -3,6 +3,7 @@ import type { Hand, HandNumbers, SwatchTone } from './hand/Hand.js';
 import { HAND_TEXTURE, MOST_REACH } from './handConstants.js';
 import { type PreparedHand, prepareHand } from './prepareHand.js';
 import { PROFILE_SAMPLES } from './Stroke.js';
+import { spreadOfBundles } from './strokeBundles.js';
 import { type DrawnTone, drawnTones } from './strokeTones.js';
 
 const { PLACES, HAND_ROWS, TONE_ROWS } = HAND_TEXTURE;
@@ -22,6 +23,12 @@ const KEPT_ARC = 0.5;
 /** How far a stroke strays from its row by the spread of distances, as a share of it, and at most, in distances between rows. */
 const STRAY = 0.5;
 const MOST_STRAY = 0.3;
+
+/** The clustering that uneven distances have without bundles, as a share of their spread. */
+const CLUSTERING_OF_SPREAD = 0.3;
+
+/** The greatest share of their distance by which rows are drawn together to bundles. */
+const MOST_BUNDLED = 0.7;
 
 /** The greatest distance of a centre line from its row, in distances between rows. */
 const MOST_OFFSET = 0.7;
@@ -53,8 +60,10 @@ export interface StrokeProfiles {
   strokes: Float32Array;
   /** How the tones from 0 to 1 are drawn, for each share of the young rows; see {@link drawnTones}. */
   tones: readonly (readonly DrawnTone[])[];
-  /** The greatest distance of a centre line from its row. */
+  /** The greatest distance of a centre line from its row, bundles aside. */
   offset: number;
+  /** The share of their distance by which rows are drawn together to bundles. */
+  bundled: number;
   /** The greatest half width. */
   halfWidth: number;
   /** The distance between rows, and the length of a cell that holds one stroke, in millimetres. */
@@ -78,7 +87,11 @@ export function strokeProfiles(hand: Hand): StrokeProfiles {
   const share = filled * (1 - 0.5 * shorter);
   const meanWidth = numbers.width * meanOf(chosen, ({ width }) => meanOf([...width], (value) => value));
   const spacing = Math.max(ROW_SPACING * numbers.spacing, (meanWidth * share) / MOST_INK);
-  const stray = Math.min(MOST_STRAY, Math.sqrt(3) * STRAY * numbers.spacingSpread);
+  const ofBundles = Math.max(0, numbers.clustering - CLUSTERING_OF_SPREAD * numbers.spacingSpread);
+  const bundled = Math.min(MOST_BUNDLED, ofBundles);
+  // Bundles have a spread of their own.
+  const ownSpread = Math.sqrt(Math.max(0, numbers.spacingSpread ** 2 - spreadOfBundles(bundled) ** 2));
+  const stray = Math.min(MOST_STRAY, Math.sqrt(3) * STRAY * ownSpread);
   const turn = (Math.sqrt(3) * numbers.angleSpread * Math.PI) / 180;
   const count = chosen.length;
   const strokes = new Float32Array(2 * PLACES * count);
@@ -102,11 +115,12 @@ export function strokeProfiles(hand: Hand): StrokeProfiles {
     }
     offset = Math.max(offset, scale * most);
   }
+  const reach = offset + halfWidth + bundled;
   return {
     count,
     strokes,
-    tones: drawnTones(strokes, share, Math.min(MOST_WIDENING, MOST_REACH - offset - halfWidth), TONE_ROWS),
-    ...{ offset, halfWidth, spacing, filled, shorter },
+    tones: drawnTones(strokes, share, Math.min(MOST_WIDENING, MOST_REACH - reach), TONE_ROWS, bundled),
+    ...{ offset, halfWidth, bundled, spacing, filled, shorter },
     cell: numbers.length / share,
   };
 }

@@ -1,7 +1,8 @@
 import { HAND_STROKE_CONSTANTS, HAND_TEXTURE } from './handConstants.js';
+import { drawnAside } from './strokeBundles.js';
 
 const { PLACES } = HAND_TEXTURE;
-const { WIDENED_ENDS } = HAND_STROKE_CONSTANTS;
+const { BUNDLED_ROWS, WIDENED_ENDS } = HAND_STROKE_CONSTANTS;
 
 /** How strokes in rows draw a tone. */
 export interface DrawnTone {
@@ -31,12 +32,14 @@ const SHARES = 12;
  * @param filled the mean share of a cell that its stroke fills
  * @param widest the greatest widening
  * @param youngRows the number of shares of the young rows, from 0 to 1, for which tones are computed
+ * @param bundled the share of their distance by which rows are drawn together to bundles
  */
 export function drawnTones(
   strokes: Float32Array,
   filled: number,
   widest: number,
   youngRows: number,
+  bundled: number,
 ): readonly (readonly DrawnTone[])[] {
   const widenings = Array.from({ length: WIDENINGS }, (_, i) => (widest * i) / (WIDENINGS - 1));
   const covers = widenings.map((widening) => coverAcross(strokes, filled, widening));
@@ -48,7 +51,7 @@ export function drawnTones(
   ];
   return Array.from({ length: youngRows }, (_, row) => {
     const young = row / (youngRows - 1);
-    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, young));
+    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, young, bundled));
     return Array.from({ length: PLACES }, (_, place) => drawnBetween(drawn, tones, place / (PLACES - 1)));
   });
 }
@@ -85,18 +88,22 @@ function coverAcross(strokes: Float32Array, filled: number, widening: number): F
 }
 
 /** The mean tone of rows, old ones 1 + young apart, with young ones between them of whose strokes that share is there. */
-function toneOf(cover: Float32Array, share: number, young: number): number {
+function toneOf(cover: Float32Array, share: number, young: number, bundled: number): number {
   const apart = 1 + young;
+  const most = Math.ceil((2 * REACH) / apart) + 1;
+  const phases = (bundled > 0 ? BUNDLED_ROWS : 1) * PHASES;
+  const asides = Array.from({ length: 2 * BUNDLED_ROWS }, (_, half) => drawnAside(half, young, bundled));
   let blank = 0;
-  for (let phase = 0; phase < PHASES; phase++) {
-    const x = (apart * (phase + 0.5)) / PHASES;
+  for (let phase = 0; phase < phases; phase++) {
+    const place = (phase + 0.5) / PHASES;
+    const first = 2 * (Math.floor(place) - most);
     let left = 1;
-    const most = Math.ceil((2 * REACH) / apart) + 1;
-    for (let half = -2 * most; half <= 2 * most; half++) {
-      const cell = Math.floor((x - 0.5 * half * apart + REACH) * FINENESS);
+    for (let half = first; half <= first + 4 * most + 2; half++) {
+      const aside = asides[(half + most * asides.length) % asides.length];
+      const cell = Math.floor(((place - 0.5 * half) * apart - aside + REACH) * FINENESS);
       if (cell >= 0 && cell < CELLS) left *= 1 - share * (half % 2 === 0 ? 1 : young) * cover[cell];
     }
     blank += left;
   }
-  return 1 - blank / PHASES;
+  return 1 - blank / phases;
 }

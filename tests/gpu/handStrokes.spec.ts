@@ -114,29 +114,81 @@ test('strokes end straight across their rows, also where these run askew to the 
   expect(Math.abs(lean), measured).toBeLessThan(0.05);
 });
 
-/** How far strokes lean on a dark wall: from −1, all from the lower left to the upper right, to 1; 0 for those along its sides. */
-const leanOfWall = (page: Page, hand: Hand, direction: 'x' | 'y' | 'form'): Promise<number> =>
+/** The luminance of the pixels of a wall in one tone, from 0 to 255. */
+const wallOf = (page: Page, hand: Hand, direction: 'x' | 'y' | 'form', tone: number): Promise<number[]> =>
   page.evaluate(
-    async ([hand, direction]) => {
-      const { THREE, HatchingMaterial, makeRenderer, prepareHatchingGeometry, sceneOf, sun, pixelsOf, SIZE } =
+    async ([hand, direction, tone, side]) => {
+      const { THREE, HatchingMaterial, makeRenderer, makeCamera, prepareHatchingGeometry, sceneOf, sun } =
         window.toolkit;
-      const material = new HatchingMaterial({ technique: 'pen', direction, hand, screenSpaceShare: 1 });
+      const look = { screenSpaceShare: 1, toneCurve: 'linear', reflectedLight: 0 } as const;
+      const material = new HatchingMaterial({ technique: 'pen', direction, hand, ...look });
       await material.ready;
       const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(4, 4, 8, 8), { form: true });
-      const scene = sceneOf(new THREE.Mesh(geometry, material), sun(Math.PI, [Math.sqrt(1 - 0.4 ** 2), 0, 0.4]));
-      const pixels = pixelsOf(scene, makeRenderer()).filter((_, i) => i % 4 === 0);
-      let [crossed, all] = [0, 0];
-      for (let i = SIZE; i < pixels.length - SIZE; i++) {
-        const dx = pixels[i + 1] - pixels[i - 1];
-        const dy = pixels[i + SIZE] - pixels[i - SIZE];
-        crossed += 2 * dx * dy;
-        all += dx * dx + dy * dy;
-      }
+      const renderer = makeRenderer();
+      renderer.setSize(side, side, false);
+      const z = 1 - tone;
+      renderer.render(
+        sceneOf(new THREE.Mesh(geometry, material), sun(Math.PI, [Math.sqrt(1 - z * z), 0, z])),
+        makeCamera(),
+      );
+      const gl = renderer.getContext();
+      const pixels = new Uint8Array(4 * side * side);
+      gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
       material.dispose();
-      return crossed / all;
+      return Array.from({ length: side * side }, (_, i) => pixels[4 * i]);
     },
-    [hand, direction] as const,
+    [hand, direction, tone, SIDE] as const,
   );
+
+/** How far strokes lean: from −1, all from the lower left to the upper right, to 1; 0 for those along the sides of the picture. */
+function leanOf(pixels: readonly number[], side: number): number {
+  let [crossed, all] = [0, 0];
+  for (let i = side; i < pixels.length - side; i++) {
+    const dx = pixels[i + 1] - pixels[i - 1];
+    const dy = pixels[i + side] - pixels[i - side];
+    crossed += 2 * dx * dy;
+    all += dx * dx + dy * dy;
+  }
+  return crossed / all;
+}
+
+/** The distances of strokes side by side on a wall with horizontal rows, in pixels. */
+function distancesAcross(pixels: readonly number[], side: number): number[] {
+  const distances: number[] = [];
+  for (let x = 0; x < side; x += 3) {
+    let [start, last] = [-1, -1];
+    for (let y = 0; y < side; y++) {
+      const isInked = pixels[y * side + x] < 128;
+      if (isInked && start < 0) start = y;
+      if (isInked || start < 0) continue;
+      const middle = (start + y) / 2;
+      if (last >= 0) distances.push(middle - last);
+      [start, last] = [-1, middle];
+    }
+  }
+  return distances;
+}
+
+test('strokes of a hand with clustering stand in bundles, in the same tone', async ({ page }) => {
+  const { numbers } = hands.feltTip;
+  const ruled = { ...numbers, angleSpread: 0, wobble: 0, curvature: 0, spacingSpread: 0, lengthSpread: 0.1 };
+  const walls = [];
+  for (const clustering of [0, 0.45, 1]) {
+    const hand = { ...hands.feltTip, numbers: { ...ruled, width: 0.3, spacing: 1.6, crossingFrom: 1, clustering } };
+    const pixels = await wallOf(page, hand, 'y', 0.32);
+    const distances = distancesAcross(pixels, SIDE);
+    const mean = distances.reduce((sum, one) => sum + one, 0) / distances.length;
+    const spread = Math.sqrt(distances.reduce((sum, one) => sum + (one / mean - 1) ** 2, 0) / distances.length);
+    walls.push({ darkness: 1 - pixels.reduce((sum, one) => sum + one / 255, 0) / pixels.length, mean, spread });
+  }
+  const measured = JSON.stringify(walls);
+  test.info().annotations.push({ type: 'measured', description: measured });
+  for (const { darkness } of walls) expect(Math.abs(darkness - 0.32), measured).toBeLessThan(0.03);
+  const [even, bundled, tight] = walls;
+  expect(bundled.spread, measured).toBeGreaterThan(1.3 * even.spread);
+  // The strokes of a bundle touch.
+  expect(tight.mean, measured).toBeGreaterThan(1.7 * even.mean);
+});
 
 for (const [direction, clockwise] of [
   ['x', -1],
@@ -147,8 +199,11 @@ for (const [direction, clockwise] of [
     page,
   }) => {
     const still = { angleSpread: 0, wobble: 0, curvature: 0, crossingFrom: 0.3 };
-    const leanAt = (crossingAngle: number): Promise<number> =>
-      leanOfWall(page, { ...hands.feltTip, numbers: { ...hands.feltTip.numbers, ...still, crossingAngle } }, direction);
+    const { numbers } = hands.feltTip;
+    const leanAt = async (crossingAngle: number): Promise<number> => {
+      const hand = { ...hands.feltTip, numbers: { ...numbers, ...still, crossingAngle } };
+      return leanOf(await wallOf(page, hand, direction, 0.6), SIDE);
+    };
     const leans: number[] = [];
     for (const angle of [-50, 0, 50]) leans.push(clockwise * (await leanAt(angle)));
     const measured = leans.map((lean) => lean.toFixed(3)).join(', ');

@@ -37,9 +37,9 @@ export const part: MaterialPart = {
     const drawn = textures.use(material, hand);
     if (!drawn) return;
     u.handStrokes.value = drawn.texture;
-    const { count, offset, halfWidth, filled, shorter, spacing, cell } = drawn.profiles;
-    u.handReach.value.set(count, offset, halfWidth, filled);
-    u.handShorter.value = shorter;
+    const { count, offset, halfWidth, bundled, filled, shorter, spacing, cell } = drawn.profiles;
+    u.handReach.value.set(count, offset + bundled, halfWidth, filled);
+    u.handRows.value.set(shorter, bundled);
     const { width, crossingAngle, crossingFrom } = hand.numbers;
     const pixels = strokeWidth === null ? PIXELS_PER_MILLIMETRE : strokeWidth / width;
     const onScreen = pixels * pixelRatio ** screenSpaceShare;

@@ -56,4 +56,26 @@ export const hand: readonly Mutation[] = [
       title: 'strokes of a hand are whole, and make the tone',
     },
   },
+  {
+    name: 'rows of a hand are drawn together to no bundles',
+    file: 'shaders/chunks/handStrokes.glsl',
+    find: 'if (handRows.y > 0.0) {',
+    replace: 'if (false) {',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/handStrokes.spec.ts',
+      title: 'strokes of a hand with clustering stand in bundles',
+    },
+  },
+  {
+    name: 'the second layer of a hand crosses to the same side whatever the sign of its angle',
+    file: 'src/material/parts/handStrokes.ts',
+    find: '(crossingAngle * Math.PI) / 180',
+    replace: '(Math.abs(crossingAngle) * Math.PI) / 180',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/handStrokes.spec.ts',
+      title: 'the second layer of a hand is turned from the first as on the sheet',
+    },
+  },
 ];

@@ -87,6 +87,14 @@ describe('the numbers of a hand hold', () => {
     expect(strokeProfiles(changed(hand, { overlap: -0.5 })).filled).toBeCloseTo(1 / 1.5, 5);
   });
 
+  test('clustering: what uneven distances alone do not have is that of bundles', () => {
+    const bundledAt = (clustering: number, spacingSpread: number): number =>
+      strokeProfiles(changed(hand, { clustering, spacingSpread })).bundled;
+    expect(bundledAt(0.3, 0)).toBeCloseTo(0.3, 5);
+    expect(bundledAt(0.1, 0.5)).toBe(0);
+    expect(bundledAt(1, 0)).toBeLessThan(1);
+  });
+
   test.each([0.1, 0.3])('wobble: %d mm', (wobble) => {
     const profiles = strokeProfiles(changed(hand, { wobble }));
     const strayed = Array.from({ length: profiles.count }, (_, row) => deviation(profile(profiles, row).offset));
@@ -131,15 +139,16 @@ test.each([
       overlap: -2,
       curvature: 1,
       wobble: 50,
+      clustering: 1,
     }),
   ],
 ])('%s stay within the texture and near their rows', (_name, hand) => {
-  const { count, strokes, offset, halfWidth, tones } = strokeProfiles(hand);
+  const { count, strokes, offset, halfWidth, bundled, tones } = strokeProfiles(hand);
   expect(count).toBeLessThanOrEqual(MOST_PROFILES);
   expect(strokes).toHaveLength(2 * PLACES * count);
   expect(strokes.every(Number.isFinite)).toBe(true);
   const widest = Math.max(...tones.flat().map(({ widening }) => widening));
-  expect(offset + halfWidth + widest).toBeLessThanOrEqual(MOST_REACH + 1e-6);
+  expect(offset + halfWidth + bundled + widest).toBeLessThanOrEqual(MOST_REACH + 1e-6);
 });
 
 test('a stroke is found among thousands of dots', () => {
