@@ -20,7 +20,7 @@ export const HAND_STROKE_CONSTANTS = {
   ROW_SHIFT: 64,
   /** Strokes grow over this range of ranks, but not over more than this part of those that are there. */
   GROWTH: 0.08,
-  GROWING: 0.35,
+  GROWING: 0.22,
   /** A stroke is as wide as drawn from this part of its growth on, in which it only becomes longer. */
   WIDE_FROM: 0.3,
   /** Strokes that are wider in the darks are so in full at a distance from both ends, the reciprocal of this share of their length. */
