@@ -9,7 +9,7 @@
 // drawn: the share of strokes that are there, and what is added to their half widths.
 uniform sampler2D handStrokes;
 uniform vec4 handReach; // number of strokes, greatest offset and half width, and the share of a cell that the longest stroke fills
-// How much shorter strokes may be than the longest, as a share, and the share of their distance by which rows are drawn together to bundles.
+// How much shorter strokes may be than the longest, and by how much of their distance rows are drawn together to bundles, as shares.
 uniform vec2 handRows;
 
 // The cells of a family's rows.
@@ -98,9 +98,9 @@ float numberOfCell(const in float cell, const in float repeat) {
   #endif // FOLLOWS_FORM
 }
 
-// The number of a row within its bundle, 0 for the middle one.
+// The number of a row within its bundle, 0 for the middle one. Whole rows lie far from where mod, which is inexact, jumps.
 float fromMiddle(const in float row) {
-  return mod(row + 0.5 * (BUNDLED_ROWS - 1.0), BUNDLED_ROWS) - 0.5 * (BUNDLED_ROWS - 1.0);
+  return mod(row + 0.5 * BUNDLED_ROWS, BUNDLED_ROWS) - 0.5 * BUNDLED_ROWS;
 }
 
 // How far a stroke lies aside of its row, in mean distances. lot: of the bundles of its row, from 0 to BUNDLED_ROWS − 1.
@@ -142,9 +142,9 @@ float strokeCoverage(
   float aside = row.way * row.away;
   if (handRows.y > 0.0) {
     // Strokes side by side are of one bundle, and others farther along: no gap runs all along the rows.
-    float cells = isPair ? 0.5 * most : most;
-    float place = floor((cell + 0.5 - strokeHash01(row.bits, 0.0) * cells) / BUNDLE_CELLS);
-    float lot = floor(BUNDLED_ROWS * strokeHash01(SECOND_FACTOR, numberOfCell(place, cells / BUNDLE_CELLS)));
+    float repeat = isPair ? 0.5 * most : most;
+    float place = floor((cell + 0.5 - strokeHash01(row.bits, 0.0) * repeat) / BUNDLE_CELLS);
+    float lot = floor(BUNDLED_ROWS * strokeHash01(SECOND_FACTOR, numberOfCell(place, repeat / BUNDLE_CELLS)));
     aside -= bundledAside(row, lot);
   }
   vec2 stroke = textureLod(handStrokes, vec2((t * (PLACES - 1.0) + 0.5) / PLACES, (shape + 0.5) / HAND_ROWS), 0.0).rg;
@@ -191,7 +191,10 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
       float way = 1.0;
     #endif // FOLLOWS_FORM
     number = abs(number) == 0.0 ? 0.0 : way * number;
-    Row row = Row(number / period, apart, (x - line) * apart, way, hash01(number), turnOf(number), bitsOfLine(number), isYoung ? bornYoung : bornOld);
+    Row row = Row(
+      number / period, apart, (x - line) * apart, way, hash01(number), turnOf(number), bitsOfLine(number),
+      isYoung ? bornYoung : bornOld
+    );
     // The places of the nearest point of the row: strokes end straight across their rows.
     vec2 places = cells.places - cells.askew * ((x - line) * period);
     blank *= 1.0 - strokeCoverage(row, cells, places.x, cells.share, cells.perPixelOfRow.x, isDark, drawn.y, spacing);

@@ -19,7 +19,7 @@ export function drawnAside(halves: number, young: number, bundled: number): numb
 
 /** The number of a row within its bundle, 0 for the middle one. */
 const fromMiddle = (row: number): number => {
-  const half = (BUNDLED_ROWS - 1) / 2;
+  const half = BUNDLED_ROWS / 2;
   return ((((row + half) % BUNDLED_ROWS) + BUNDLED_ROWS) % BUNDLED_ROWS) - half;
 };
 
