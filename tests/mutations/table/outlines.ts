@@ -37,7 +37,7 @@ export const outlines: readonly Mutation[] = [
   {
     name: 'panels that nearly touch have lines while they move',
     file: 'shaders/meetings/meeting.frag',
-    find: '< LEAST_SINE) continue',
+    find: '< LEAST_CROSSING) continue',
     replace: '< 0.0) continue',
     caughtBy: {
       layer: 'gpu',
