@@ -1,4 +1,3 @@
-import { smoothstep } from '../../look/vectors.js';
 import { EDGE, mapAxes, type Projection, project, projectionOf } from '../parallelProjection.js';
 import { asPhase, chunkPhase, forEachChunk } from '../phases.js';
 import { MAP_SIZE, NO_SAMPLE, type OcclusionScene, type OcclusionView } from './OcclusionScene.js';
@@ -90,8 +89,8 @@ function occlusionsOf(occlusionAt: OcclusionAt, sampleOf: Uint32Array, backAfter
   return occlusions;
 }
 
-/** The occlusions at which a vertex may be and is buried in a body. */
-const BURIED = { from: 0.9, to: 1 };
+/** The occlusion from which on a vertex may be buried in a body; at 1 it is. */
+const BURIED = 0.9;
 
 /**
  * The occlusion of a sample of a vertex: the share of the directions above it in which the sky is hidden, weighted by their cosines. A vertex
@@ -106,9 +105,9 @@ function occlusionIn({ sums, standIns, samplePositions, standsFor }: OcclusionSc
   const ofVertices = new Map(Array.from(standIns, (vertex, i) => [vertex, vertices + i]));
   return (sample) => {
     const hidden = hiddenAt(sample);
-    const standIn = hidden > BURIED.from ? ofVertices.get(sample) : undefined;
+    const standIn = hidden > BURIED ? ofVertices.get(sample) : undefined;
     if (standIn === undefined) return hidden;
-    return hidden + smoothstep(BURIED.from, BURIED.to, hidden) * (hiddenAt(standIn) - hidden);
+    return hidden + ((hidden - BURIED) / (1 - BURIED)) * (hiddenAt(standIn) - hidden);
   };
 }
 

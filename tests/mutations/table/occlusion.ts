@@ -37,8 +37,8 @@ export const occlusion: readonly Mutation[] = [
   {
     name: 'rods with buried ends are black',
     file: 'src/mesh/occlusion/addDirections.ts',
-    find: 'BURIED = { from: 0.9, to: 1 }',
-    replace: 'BURIED = { from: 9, to: 10 }',
+    find: 'BURIED = 0.9',
+    replace: 'BURIED = 9',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/occlusion/occlusion.test.ts',
