@@ -10,8 +10,8 @@ const SLENDER = 4;
 /** The least cosine between the normal of a triangle and those of its corners: of a large one, which is flat, and of a slender one. */
 const FLAT = 0.999;
 const STRAIGHT = 0.9;
-/** The places within a triangle that stand for a corner: shares of the way from the middle to it. */
-const PLACES = [0.55, 0.2];
+/** The places within a large and a slender triangle that stand for a corner: shares of the way from the middle to it. */
+const PLACES = { large: [0.55, 0.2], slender: [0.4] };
 /** Slender triangles are measured until their samples are as many as those of vertices, or this many. */
 const MOST_SLENDER = 1 << 15;
 
@@ -71,9 +71,10 @@ export function* samplesWithin(
         Math.abs(sum((k) => sampleNormals[3 * corner + k] * areaNormals[first + k])) >
         (isLarge ? FLAT : STRAIGHT) * area;
       if (!corners.every(isAlong)) continue;
+      const places = isLarge ? PLACES.large : PLACES.slender;
       for (const side of sides) {
         for (const corner of corners) {
-          for (const share of PLACES) {
+          for (const share of places) {
             for (let axis = 0; axis < 3; axis++) {
               const at = (sample: number) => positions[3 * (sample + side) + axis];
               found.within.push(share * at(corner) + ((1 - share) / 3) * sum((k) => at(corners[k])));
@@ -82,7 +83,7 @@ export function* samplesWithin(
           }
         }
       }
-      if (!isLarge) left -= 3 * PLACES.length * sides.size;
+      if (!isLarge) left -= 3 * places.length * sides.size;
     }
   }
   return found;

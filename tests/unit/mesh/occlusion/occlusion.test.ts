@@ -194,8 +194,9 @@ describe('a rod', () => {
 
   test('whose ends lie in balls is lit, since it is seen between them', () => {
     const [values] = bakeOf([rod(), ...balls()], 24).occlusions;
-    for (const value of values) expect(value).toBeLessThan(0.5);
-    expect(Math.min(...values)).toBeGreaterThan(0.02);
+    for (const value of values) expect(value).toBeLessThan(0.1);
+    // The balls hide a little of the sky.
+    expect(mean(values)).toBeGreaterThan(0.005);
   });
 
   test('that is drawn from both sides is lit outside, and dark within', () => {
