@@ -212,7 +212,7 @@ export const OFFERS = {
     'files/gltf/parseGltf.ts',
     'files/mesh/PlainMesh.ts',
     'files/mesh/clusterMesh.ts',
-    'files/mesh/findUpAxis.ts',
+    'files/mesh/UpAxis.ts',
     'files/mesh/fitModel.ts',
     'files/mesh/plainNormals.ts',
     'files/pictures/meshPictures.ts',

@@ -7,7 +7,7 @@ import { runToEnd } from '../../src/mesh/phases.js';
 import * as forms from '../../src/playground/models/forms.js';
 import { dataOf } from '../../src/viewer/files/common/ModelFile.js';
 import { parseGltf } from '../../src/viewer/files/gltf/parseGltf.js';
-import type { UpAxis } from '../../src/viewer/files/mesh/findUpAxis.js';
+import type { UpAxis } from '../../src/viewer/files/mesh/UpAxis.js';
 import { withPictures } from '../../src/viewer/files/pictures/decodePictures.js';
 import { readModel } from '../../src/viewer/files/readModel.js';
 import { type ChosenView, chooseViews } from '../../src/viewer/views/chooseViews.js';

@@ -1,4 +1,4 @@
-import type { UpAxis } from '../../viewer/files/mesh/findUpAxis.js';
+import type { UpAxis } from '../../viewer/files/mesh/UpAxis.js';
 import { SETTINGS, type Settings } from '../../viewer/settings/settings.js';
 import { page } from '../page/page.js';
 import type { Session } from '../session/Session.js';
@@ -8,9 +8,9 @@ import type { CompareDivider } from './CompareDivider.js';
 import type { LightHandles } from './LightHandles.js';
 import type { SheetFrame } from './SheetFrame.js';
 
-/** Suggests turning a model upright if its flat side indicates another up axis, and turns it if the user agrees. */
+/** Suggests turning a model upright if what it stands on indicates another up axis, and turns it if the user agrees. */
 class TurnHint {
-  /** The up axis suggested by the model's flat side. Undefined if there is none, or the user has closed the hint. */
+  /** The up axis suggested by what the model stands on. Undefined if there is none, or the user has closed the hint. */
   private stands: UpAxis | undefined;
 
   /** @param onTurn called when the user has turned the model by changing the settings */

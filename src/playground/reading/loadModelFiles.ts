@@ -1,7 +1,7 @@
 import type { FileChangeKind } from '../../viewer/files/common/fileChanges.js';
 import { ModelError } from '../../viewer/files/common/ModelError.js';
 import { readingTime } from '../../viewer/files/common/ModelFile.js';
-import type { UpAxis } from '../../viewer/files/mesh/findUpAxis.js';
+import type { UpAxis } from '../../viewer/files/mesh/UpAxis.js';
 import type { ModelFile, ReadModel } from '../../viewer/files/readModel.js';
 import type { FineRequest, ModelWorkerMessage } from './model.worker.js';
 import { PAGE_SURROUNDINGS } from './pageSurroundings.js';

@@ -28,7 +28,7 @@ import type {
   HatchingOutlines as NodeOutlines,
 } from 'three-hatching/webgpu';
 import { type ModelExtras, NO_EXTRAS } from '../files/common/ModelExtras.js';
-import type { UpAxis } from '../files/mesh/findUpAxis.js';
+import type { UpAxis } from '../files/mesh/UpAxis.js';
 import type { Look } from '../settings/lookOf.js';
 import type { ModelParts } from './ModelParts.js';
 import type { Motion } from './Motion.js';
@@ -132,7 +132,7 @@ export class HatchedModel {
    *   strokes of one tile per world unit.
    * @param bounds of the parts that stand on the ground
    * @param framedPoints xyz of points on the outer parts of the root, in all poses
-   * @param stands the up axis suggested by a flat side; undefined if there is none
+   * @param stands the up axis suggested by what it stands on; undefined if there is none
    * @param motion clips and morph targets, if the model has any
    * @param outlines of its meshes; several may share a material
    * @param free called when the model is disposed

@@ -108,7 +108,7 @@ export async function modelOfScene(
   const { framedPoints, standing } = fitScene(holder, motion);
   await slices.next();
   const { points, share } = someTriangles(root);
-  const stands = usual && findUpAxis(points, null, usual);
+  const stands = usual && findUpAxis(points, null, usual)?.up;
   await slices.next();
 
   const casting = isOfFile ? await openMeshes(root, slices) : [];

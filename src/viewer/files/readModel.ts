@@ -23,13 +23,14 @@ import type { ReadGltf } from './gltf/readGltf.js';
 import { withCastingSides } from './mesh/castingSides.js';
 import { cleanMesh } from './mesh/cleanMesh.js';
 import { dropDuplicates } from './mesh/dropDuplicates.js';
-import { findUpAxis, type UpAxis, type UsualUp, upOnMap } from './mesh/findUpAxis.js';
+import { findUpAxis, type UsualUp, upOnMap } from './mesh/findUpAxis.js';
 import { fitModel } from './mesh/fitModel.js';
 import { hasWrongNormals } from './mesh/hasWrongNormals.js';
 import { openCeiling } from './mesh/openCeiling.js';
 import { orientMesh } from './mesh/orientMesh.js';
 import { type NotedMesh, type PlainMesh, thinNote } from './mesh/PlainMesh.js';
 import { hidesBacks, plainNormals } from './mesh/plainNormals.js';
+import type { UpAxis } from './mesh/UpAxis.js';
 import {
   type MeshPicture,
   missingDetail,
@@ -50,7 +51,7 @@ export type ReadModel = ReadMesh | ReadParts;
 interface Read {
   /** The name of the main file. */
   name: string;
-  /** The up axis: that of the flat side on which the model clearly stands, or else the usual one of the format. */
+  /** The up axis: that of the feet, flat side or underside on which the model clearly stands, or else the usual one of the format. */
   upAxis: UpAxis;
   /** Notes for the caption: what is missing, chosen or left out, and why. The most important comes first. */
   notes: string[];
@@ -79,7 +80,7 @@ export interface ReadMesh extends Read {
   plainNormals: Float32Array | null;
   /** Whether the back faces of the placeholder are hidden. False without `plainNormals`. */
   hidesBacks: boolean;
-  /** The up axis by the model's flat side, if that differs from the format's usual one. */
+  /** The up axis by what the model stands on, if that differs from the format's usual one. */
   stands: UpAxis | undefined;
   /** The result of simplification: the number of triangles in the file, and the maximum deviation in radii. Undefined if not simplified. */
   simplified?: { triangles: number; error: number } | undefined;
@@ -379,7 +380,7 @@ function orientationOf(format: ModelFormat, switched: readonly FileChangeKind[])
 }
 
 /**
- * The up axis of a mesh, and the change for it: that of map coordinates, or of the flat side on which it stands, or the usual one of the format.
+ * The up axis of a mesh, and the change for it: that of map coordinates, or of what it stands on, or the usual one of the format.
  *
  * @param toMesh the matrix from the space of the file
  */
@@ -389,9 +390,10 @@ function standingOf(
   { usual, upAxis, upChanges }: Orientation,
 ): { stands?: UpAxis | undefined; up: UpAxis; stood: FileChange[] } {
   const onMap = usual && upOnMap(toMesh.elements.slice(12, 15));
-  const stands = onMap ?? (usual && findUpAxis(positions, indices, usual));
+  const standing = onMap ? undefined : usual && findUpAxis(positions, indices, usual);
+  const stands = onMap ?? standing?.up;
   if (!stands || onMap === upAxis) return { up: upAxis, stood: upChanges };
-  const how = onMap ? 'up as on maps' : 'on its flat side';
+  const how = standing ? `on its ${standing.on}` : 'up as on maps';
   return { stands, up: stands, stood: [{ kind: 'up', sentence: `stood ${how}: ${stands} is up` }] };
 }
 

@@ -1,4 +1,4 @@
-import type { UpAxis } from '../files/mesh/findUpAxis.js';
+import type { UpAxis } from '../files/mesh/UpAxis.js';
 import { evenPoints } from './evenPoints.js';
 import { frontEvidence, lengthAlong, type MeasuredView } from './frontEvidence.js';
 import { measureView, type ViewMeasures } from './measureView.js';

@@ -1,4 +1,4 @@
-import type { UpAxis } from '../files/mesh/findUpAxis.js';
+import type { UpAxis } from '../files/mesh/UpAxis.js';
 
 /** Triangles in any pose and size. */
 export interface ViewTriangles {

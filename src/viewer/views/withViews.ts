@@ -1,6 +1,6 @@
 import { type OnStage, runStage } from '../files/common/stages.js';
-import type { UpAxis } from '../files/mesh/findUpAxis.js';
 import { oneSided } from '../files/mesh/PlainMesh.js';
+import type { UpAxis } from '../files/mesh/UpAxis.js';
 import type { ReadModel } from '../files/readModel.js';
 import { cameraSights, sightedCameras } from './cameraSights.js';
 import { chooseViews } from './chooseViews.js';

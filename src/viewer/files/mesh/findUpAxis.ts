@@ -1,8 +1,7 @@
 import { areaOf, boundsOf } from './PlainMesh.js';
 import { standsOnFeet } from './standsOnFeet.js';
-
-/** The up axis of a model. */
-export type UpAxis = 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
+import { standsOnUnderside } from './standsOnUnderside.js';
+import type { UpAxis } from './UpAxis.js';
 
 const AXES = ['x', 'y', 'z'] as const;
 /** The maximum distance of a triangle on a flat side from the outermost plane, as a share of the model's extent. */
@@ -23,26 +22,56 @@ export interface UsualUp {
   liesFlat: boolean;
 }
 
+/** An up axis, and what a model then stands on. */
+export interface Standing {
+  up: UpAxis;
+  on: 'feet' | 'flat side' | 'underside';
+}
+
 /**
- * Finds the up axis of a model by the feet or the flat side that it stands on. A model that stands firmly as it is, such as a vehicle
- * on its wheels, stays so, however flat another side is.
+ * Finds the up axis of a model by the feet, the flat side or the underside that it stands on. A model that stands firmly as it is, such
+ * as a vehicle on its wheels, stays so, however flat another side is.
  *
  * @param positions xyz of each vertex
  * @param indices three per triangle, or null if every three vertices make one
- * @returns undefined if it stands firmly, if no side is flat, or if more than one pair of sides is, which leaves the axis open
+ * @returns undefined if it stands firmly, or if nothing tells the axis clearly
  */
 export function findUpAxis(
   positions: ArrayLike<number>,
   indices: ArrayLike<number> | null,
-  { up, liesFlat }: UsualUp,
-): UpAxis | undefined {
+  usual: UsualUp,
+): Standing | undefined {
   const { low, high } = boundsOf(positions);
   const size = AXES.map((_, axis) => high[axis] - low[axis]);
   const tolerance = FLATNESS * Math.max(...size);
   const sides = outerSides(positions, low, high, tolerance);
   const onFeet = axisOfFeet((side, axis) => standsOnFeet(positions, indices, sides, side, axis, size));
-  if (onFeet) return onFeet === up ? undefined : onFeet;
-  if (standsFirmly(positions, indices, up)) return undefined;
+  if (onFeet) return onFeet === usual.up ? undefined : { up: onFeet, on: 'feet' };
+  if (standsFirmly(positions, indices, usual.up)) return undefined;
+  const onSide = axisOfSide(positions, indices, sides, size, usual);
+  if (onSide) return { up: onSide, on: 'flat side' };
+  // Printers' files have few vehicles, and undersides of all kinds.
+  if (usual.liesFlat || !standsFirmly(positions, indices, OTHER[usual.up])) return undefined;
+  return standsOnUnderside(positions, indices, OTHER[usual.up]) ? { up: OTHER[usual.up], on: 'underside' } : undefined;
+}
+
+/** The up axis of the other half of all programs. */
+const OTHER = { y: 'z', z: 'y' } as const;
+
+/**
+ * The axis that points up from a flat side.
+ *
+ * @param sides for each vertex the bits of the model's sides that it lies on
+ * @param size of the model along each axis
+ * @returns undefined if no side is flat, or if more than one pair of sides is, which leaves the axis open
+ */
+function axisOfSide(
+  positions: ArrayLike<number>,
+  indices: ArrayLike<number> | null,
+  sides: Uint8Array,
+  size: readonly number[],
+  { liesFlat }: UsualUp,
+): UpAxis | undefined {
   /** The area on the lower and on the upper side across each axis. */
   const areas = AXES.map(() => [0, 0] as [number, number]);
   const corners = indices?.length ?? positions.length / 3;

@@ -5,8 +5,8 @@ import { type Plan, placeOf, planOf, showsFloor, withinBorder } from '../../view
 import { createSeenMap, drawSeenMap, NOTHING } from '../../views/seenMap.js';
 import { type ViewSurface, viewSurface } from '../../views/viewSurface.js';
 import { compact } from './cleanMesh.js';
-import type { UpAxis } from './findUpAxis.js';
 import { areaOf, boundsOf, oneSided, type PictureRange, type PlainMesh, triangleCount } from './PlainMesh.js';
+import type { UpAxis } from './UpAxis.js';
 
 /** A ceiling lies above this share of the height, and covers at least this share of the plan's box, level. */
 const CEILING = { above: 0.85, cover: 0.5 };

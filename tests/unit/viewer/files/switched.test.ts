@@ -1,3 +1,5 @@
+import { BoxGeometry } from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
 import type { FileChangeKind } from '../../../../src/viewer/files/common/fileChanges.js';
 import { type ReadMesh, readModel } from '../../../../src/viewer/files/readModel.js';
@@ -45,6 +47,19 @@ describe('changes to what a file says', () => {
     expect([upAxis, changes]).toEqual(['z', [{ kind: 'up', sentence: 'stood on its flat side: z is up' }]]);
     const left = await read('cone.obj', cone, 'up');
     expect([left.upAxis, left.changes]).toEqual(['y', []]);
+  });
+
+  test('a model on feet is said to stand on them', async () => {
+    const seat = mergeGeometries([
+      new BoxGeometry(1, 1, 0.1),
+      new BoxGeometry(1, 0.1, 1).translate(0, 0.45, 0.5),
+      ...[-0.45, 0.45].flatMap((x) => [-0.45, 0.45].map((y) => new BoxGeometry(0.1, 0.1, 1).translate(x, y, -0.5))),
+    ]).toNonIndexed();
+    const { array } = seat.getAttribute('position');
+    const lines = Array.from({ length: array.length / 3 }, (_, i) => `v ${array.slice(3 * i, 3 * i + 3).join(' ')}`);
+    const faces = lines.flatMap((_, i) => (i % 3 === 0 ? [`f ${i + 1} ${i + 2} ${i + 3}`] : []));
+    const { upAxis, changes } = await read('seat.obj', [...lines, ...faces].join('\n'));
+    expect([upAxis, changes]).toEqual(['z', [{ kind: 'up', sentence: 'stood on its feet: z is up' }]]);
   });
 
   test('a model at map coordinates stands by its heights, unless that is left', async () => {

@@ -14,8 +14,10 @@ import { asciiStl, read } from '../../../../../tools/modelFiles/modelWriters.js'
 
 const Y_UP: UsualUp = { up: 'y', liesFlat: false };
 const Z_UP: UsualUp = { up: 'z', liesFlat: true };
+const standingOf = (geometry: BufferGeometry) =>
+  findUpAxis(geometry.getAttribute('position').array, geometry.index?.array ?? null, Y_UP);
 const upOf = (geometry: BufferGeometry, usual = Y_UP) =>
-  findUpAxis(geometry.getAttribute('position').array, geometry.index?.array ?? null, usual);
+  findUpAxis(geometry.getAttribute('position').array, geometry.index?.array ?? null, usual)?.up;
 /** Stands on its base, with its axis along y. */
 const cone = () => new ConeGeometry(1, 2, 48);
 const quarter = Math.PI / 2;
@@ -40,6 +42,14 @@ const table = (): BufferGeometry =>
     ...[0, 1, 2, 3].map((i) => new CylinderGeometry(0.05, 0.05, 1.5).translate(0.8, 0.2, 0).rotateY(i * quarter)),
   ]);
 
+/** A box for a back or a top, on four legs at the corners of a rectangle. */
+const seat = (): BufferGeometry =>
+  mergeGeometries([
+    new BoxGeometry(1, 0.1, 1),
+    new BoxGeometry(1, 1, 0.1).translate(0, 0.5, -0.45),
+    ...[-0.45, 0.45].flatMap((x) => [-0.45, 0.45].map((z) => new BoxGeometry(0.1, 1, 0.1).translate(x, -0.5, z))),
+  ]);
+
 describe('the axis that points up', () => {
   test.each([
     ['-y', cone().rotateX(Math.PI)],
@@ -50,6 +60,11 @@ describe('the axis that points up', () => {
   ])('is %s by the flat side below', (up, geometry) => {
     expect(upOf(geometry)).toBe(up);
     expect(upOf(geometry.toNonIndexed())).toBe(up);
+  });
+
+  test('is told with what the model stands on', () => {
+    expect(standingOf(cone().rotateX(quarter))).toEqual({ up: 'z', on: 'flat side' });
+    expect(standingOf(seat().rotateX(quarter))).toEqual({ up: 'z', on: 'feet' });
   });
 
   test('is that of a column, whichever end is up', () => {
@@ -74,14 +89,6 @@ describe('the axis that points up', () => {
     expect(upOf(geometry)).toBeUndefined();
     expect(upOf(geometry.clone().rotateX(quarter), Z_UP)).toBeUndefined();
   });
-
-  /** A box for a back or a top, on four legs at the corners of a rectangle. */
-  const seat = (): BufferGeometry =>
-    mergeGeometries([
-      new BoxGeometry(1, 0.1, 1),
-      new BoxGeometry(1, 1, 0.1).translate(0, 0.5, -0.45),
-      ...[-0.45, 0.45].flatMap((x) => [-0.45, 0.45].map((z) => new BoxGeometry(0.1, 1, 0.1).translate(x, -0.5, z))),
-    ]);
 
   test.each([
     ['z', seat().rotateX(quarter)],

@@ -1,0 +1,2 @@
+/** The up axis of a model. */
+export type UpAxis = 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
