@@ -1,8 +1,8 @@
 import type { UpAxis } from '../files/mesh/UpAxis.js';
 import { evenPoints } from './evenPoints.js';
-import { frontEvidence, lengthAlong, type MeasuredView } from './frontEvidence.js';
+import { type FrontClues, frontEvidence, lengthAlong, type MeasuredView } from './frontEvidence.js';
 import { measureView, type ViewMeasures } from './measureView.js';
-import { mirrorPlanes } from './mirrorPlanes.js';
+import { type MirrorPlanes, mirrorPlanes } from './mirrorPlanes.js';
 import { isWalled, planOf } from './planOf.js';
 import { createSeenMap, drawSeenMap } from './seenMap.js';
 import { type ViewSurface, type ViewTriangles, viewSurface } from './viewSurface.js';
@@ -27,6 +27,8 @@ const AROUND = [
 /** How many views are chosen, and how far apart they are around the up axis. */
 const MOST_VIEWS = 4;
 const APART = 60;
+/** A view at least this far from the first one, in degrees, is from behind. */
+const BEHIND = 160;
 
 /** The weight of each measure, per standard deviation among the views of a surface. */
 const WEIGHTS = {
@@ -90,14 +92,21 @@ export function* chooseViews(triangles: ViewTriangles, up: UpAxis): Generator<nu
   return apart(views, score).map(({ azimuth, elevation }) => ({ azimuth, elevation }));
 }
 
-/** The best views that are far enough apart. */
+/** The best views that are far enough apart. One of them is from behind the first, since the front may be taken for the back. */
 function apart(views: readonly MeasuredView[], score: (view: MeasuredView) => number): MeasuredView[] {
   const sorted = views.map((view) => ({ view, value: score(view) })).sort((a, b) => b.value - a.value);
   const chosen: MeasuredView[] = [];
-  for (const { view } of sorted) {
-    if (chosen.length === MOST_VIEWS) break;
-    if (chosen.every(({ azimuth }) => angleBetween(azimuth, view.azimuth) >= APART)) chosen.push(view);
-  }
+  const isBehind = ({ azimuth }: MeasuredView): boolean => angleBetween(azimuth, chosen[0].azimuth) >= BEHIND;
+  const take = (isWanted: (view: MeasuredView) => boolean): void => {
+    for (const { view } of sorted) {
+      if (chosen.length === MOST_VIEWS) return;
+      if (isWanted(view) && chosen.every(({ azimuth }) => angleBetween(azimuth, view.azimuth) >= APART))
+        chosen.push(view);
+    }
+  };
+  take(() => chosen.length < 2);
+  if (!chosen.some(isBehind)) take(isBehind);
+  take(() => true);
   return chosen;
 }
 
@@ -110,6 +119,8 @@ function scoreOf(
   ofShape: number,
 ): (view: MeasuredView) => number {
   const points = evenPoints(surface);
+  const planes = mirrorPlanes(points);
+  const clues = { points, squareness: squarenessOf(surface, planes.best), landmarks: surface.landmarks };
   const keys = Object.keys(WEIGHTS) as (keyof typeof WEIGHTS)[];
   const spread = keys.map((key) => {
     const values = views.map(({ measures }) => measures[key]);
@@ -117,8 +128,8 @@ function scoreOf(
     const square = values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length;
     return { key, mean, deviation: Math.max(Math.sqrt(square), LEAST_DEVIATION * Math.abs(mean), 1e-3) };
   });
-  const { azimuth: front, clarity } = frontOf(points, views);
-  const length = lengthAlong(points, front);
+  const { azimuth: front, clarity } = frontOf(clues, planes, views);
+  const length = lengthAlong(clues, front);
   const { narrow, long } = THREE_QUARTER;
   const ideal = narrow + (long - narrow) * Math.max(0, Math.min(1, length - 0.7));
   const best = bestElevation(views, ofShape);
@@ -139,12 +150,15 @@ function scoreOf(
 }
 
 /** The likely front of a surface, and how clear it is, from 0 to 1: along a plane that mirrors it, if there is one. */
-function frontOf(points: Float32Array, views: readonly MeasuredView[]): { azimuth: number; clarity: number } {
-  const { best, clarityAt } = mirrorPlanes(points);
+function frontOf(
+  clues: FrontClues,
+  { best, clarityAt }: MirrorPlanes,
+  views: readonly MeasuredView[],
+): { azimuth: number; clarity: number } {
   const covers = views.slice(0, AZIMUTHS.length).map(({ measures }) => measures.cover);
   const widest = Math.max(...covers);
   const directions = [best, best + 180, ...AZIMUTHS].map((azimuth) => {
-    const evidence = frontEvidence(points, views, azimuth);
+    const evidence = frontEvidence(clues, views, azimuth);
     const mirrors = clarityAt(azimuth);
     const cover = covers[Math.round(azimuth / 30) % AZIMUTHS.length];
     return { azimuth, evidence, mirrors, rated: evidence + MIRRORED * mirrors + BROAD * logRatio(cover, widest) };
@@ -172,6 +186,20 @@ function isRoom(views: readonly MeasuredView[]): boolean {
   const mean = (key: 'backs' | 'near'): number =>
     views.reduce((sum, { measures }) => sum + measures[key], 0) / views.length;
   return mean('backs') > 0.4 || mean('near') < -0.15;
+}
+
+/** The cosine of the angle within which a triangle faces along an axis. */
+const ALONG = 0.96;
+
+/** The share of a surface that faces up, down, or along or across a horizontal direction. @param azimuth of the direction, in degrees */
+function squarenessOf({ normals, areas, area }: ViewSurface, azimuth: number): number {
+  const [x, z] = [Math.sin((azimuth * Math.PI) / 180), Math.cos((azimuth * Math.PI) / 180)];
+  let square = 0;
+  for (let triangle = 0; triangle < areas.length; triangle++) {
+    const [nx, ny, nz] = [normals[3 * triangle], normals[3 * triangle + 1], normals[3 * triangle + 2]];
+    if (Math.max(Math.abs(ny), Math.abs(nx * x + nz * z), Math.abs(nx * z - nz * x)) > ALONG) square += areas[triangle];
+  }
+  return square / area;
 }
 
 /** Whether a surface is low, and most of it faces upwards. */

@@ -1,3 +1,4 @@
+import type { Landmark } from './landmarks.js';
 import type { ViewMeasures } from './measureView.js';
 
 /** A view from a direction, in degrees, with what is measured of it. */
@@ -5,6 +6,16 @@ export interface MeasuredView {
   azimuth: number;
   elevation: number;
   measures: ViewMeasures;
+}
+
+/** What is known of a surface before its views are compared. */
+export interface FrontClues {
+  /** Spread evenly over the surface, as xyz. */
+  points: Float32Array;
+  /** The share of the surface that faces along its three axes: much of furniture and vehicles, little of animals and figures. */
+  squareness: number;
+  /** Parts whose names say whether they are in front. */
+  landmarks: readonly Landmark[];
 }
 
 /** How the parts of a surface lie along a horizontal direction. */
@@ -16,72 +27,85 @@ interface Lengthwise {
   foot: number;
   /** The third moment: below 0 if a thin part, such as a tail, reaches far back. */
   skew: number;
-  /** The logarithm of the area of the first quarter of the length, divided by that of the last one. */
-  ends: number;
+  /** How much higher the front half reaches than the rear half, on average, in heights. */
+  rise: number;
+  /** How far parts that are named for the front lie ahead of the middle, or those for the rear behind it, in half lengths. */
+  named: number;
 }
 
 /**
  * Weights of what tells the front of a thing from its back, by the sign that most things agree on: faces, animals, figures, vehicles and
- * tools alike. Lengthwise measures matter less for what is flat.
+ * tools alike. They were fitted to 105 models whose fronts are known.
  */
 const WEIGHTS = {
   /** Per unit of the logarithm of front ÷ back. */
   relief: 1.5,
-  inner: 0.7,
+  inner: 0.5,
   /** Against the share of backs. */
-  backs: 3,
+  backs: 2,
   /** A thin part points backwards. */
-  skew: 0.8,
-  ends: 0.3,
-  /** The head of an animal is above and ahead. */
-  top: 0.6,
-  /** Toes and the feet of chairs point forwards. */
-  foot: 0.8,
+  skew: 0.6,
+  /** Slopes that face upwards, such as windscreens, seats and keyboards, are in front, but less so of animals. */
+  slopes: 2.8,
+  ofAnimals: 0.4,
+  /** Of furniture and vehicles: bonnets, seats and steps are low and in front; backrests, cabs and cisterns are high and behind. */
+  rise: 2.3,
+  high: 0.6,
+  /** Of animals and figures: the head is above and ahead, and toes point forwards. */
+  head: 0.5,
+  foot: 0.6,
+  named: 2.5,
   /** Formats have +z face forwards; about half of all files keep to it. */
-  convention: 0.2,
+  convention: 0.15,
 } as const;
 /** What is at least this long, in heights, has its head at an end, as animals do; others stand on feet, as figures do. */
 const LONG = 0.7;
-const MOST_RELIEF = 1;
-const MOST_FOOT = 0.7;
+/** A surface is that of an animal or a figure below the first squareness, and that of furniture or a vehicle above the second. */
+const SQUARE = { least: 0.4, full: 0.55 };
+const MOST = { relief: 1, foot: 0.7, slopes: 1 / 3, rise: 1 / 3, top: 1, backs: 0.5 };
 /** Views within 60 degrees count for a side, from up to this elevation. */
 const LEAST_COSINE = 0.3;
 const HIGHEST = 30;
 const NOTHING = 1e-3;
 
-/**
- * How clearly a horizontal direction is the front of a surface: about −2 to 2.
- *
- * @param points spread evenly over the surface, as xyz
- */
-export function frontEvidence(points: Float32Array, views: readonly MeasuredView[], azimuth: number): number {
+/** How clearly a horizontal direction is the front of a surface: about −2 to 2. */
+export function frontEvidence(clues: FrontClues, views: readonly MeasuredView[], azimuth: number): number {
   const around = (azimuth * Math.PI) / 180;
-  const { length, top, foot, skew, ends } = lengthwise(points, Math.sin(around), Math.cos(around));
+  const { length, top, foot, skew, rise, named } = lengthwise(clues, Math.sin(around), Math.cos(around));
   const low = views.filter(({ elevation }) => elevation <= HIGHEST);
-  const mean = (key: 'relief' | 'inner' | 'backs', sign: number): number => {
+  const mean = (key: 'relief' | 'inner' | 'backs' | 'slopes', sign: number): number => {
     const seen = low.filter((view) => sign * Math.cos((view.azimuth * Math.PI) / 180 - around) > LEAST_COSINE);
     return seen.reduce((sum, { measures }) => sum + measures[key], 0) / seen.length;
   };
   const ratio = (key: 'relief' | 'inner'): number => Math.log((mean(key, 1) + NOTHING) / (mean(key, -1) + NOTHING));
-  const whole = Math.min(1, length);
+  const more = (key: 'backs' | 'slopes'): number => clamp(mean(key, 1) - mean(key, -1), MOST[key]);
+  const square = Math.max(0, Math.min(1, (clues.squareness - SQUARE.least) / (SQUARE.full - SQUARE.least)));
+  const slopes = WEIGHTS.slopes * more('slopes');
+  const ofThing = slopes - WEIGHTS.rise * clamp(rise, MOST.rise) - WEIGHTS.high * clamp(top, MOST.top);
+  const headOrFoot = length > LONG ? WEIGHTS.head * top : WEIGHTS.foot * clamp(foot, MOST.foot);
+  const ofAnimal = WEIGHTS.ofAnimals * slopes + headOrFoot;
   return (
-    WEIGHTS.relief * clamp(ratio('relief'), MOST_RELIEF) +
-    WEIGHTS.inner * clamp(ratio('inner'), MOST_RELIEF) -
-    WEIGHTS.backs * (mean('backs', 1) - mean('backs', -1)) -
-    WEIGHTS.skew * whole * skew +
-    WEIGHTS.ends * whole * ends +
-    (length > LONG ? WEIGHTS.top * top : WEIGHTS.foot * clamp(foot, MOST_FOOT)) +
+    WEIGHTS.relief * clamp(ratio('relief'), MOST.relief) +
+    WEIGHTS.inner * clamp(ratio('inner'), MOST.relief) -
+    WEIGHTS.backs * more('backs') -
+    WEIGHTS.skew * Math.min(1, length) * skew +
+    square * ofThing +
+    (1 - square) * ofAnimal +
+    WEIGHTS.named * clamp(named, 1) +
     WEIGHTS.convention * Math.cos(around)
   );
 }
 
 const clamp = (value: number, most: number): number => Math.max(-most, Math.min(most, value));
 
-/** The length of a surface along a horizontal direction, in heights. @param points spread evenly over it, as xyz */
-export const lengthAlong = (points: Float32Array, azimuth: number): number =>
-  lengthwise(points, Math.sin((azimuth * Math.PI) / 180), Math.cos((azimuth * Math.PI) / 180)).length;
+/** The length of a surface along a horizontal direction, in heights. */
+export const lengthAlong = (clues: FrontClues, azimuth: number): number =>
+  lengthwise(clues, Math.sin((azimuth * Math.PI) / 180), Math.cos((azimuth * Math.PI) / 180)).length;
 
-function lengthwise(points: Float32Array, x: number, z: number): Lengthwise {
+/** Slices across the length, in each of which the highest point counts. */
+const SLICES = 10;
+
+function lengthwise({ points, landmarks }: FrontClues, x: number, z: number): Lengthwise {
   const count = points.length / 3;
   let [middle, low, high, bottom, top] = [0, Infinity, -Infinity, Infinity, -Infinity];
   for (let i = 0; i < points.length; i += 3) {
@@ -92,8 +116,9 @@ function lengthwise(points: Float32Array, x: number, z: number): Lengthwise {
     bottom = Math.min(bottom, points[i + 1]);
     top = Math.max(top, points[i + 1]);
   }
-  const sums = { square: 0, cube: 0, top: 0, inTop: 0, foot: 0, inFoot: 0, first: 0, last: 0 };
-  const quarter = (high - low) / 4;
+  const sums = { square: 0, cube: 0, top: 0, inTop: 0, foot: 0, inFoot: 0 };
+  const tops = new Float64Array(SLICES);
+  const span = Math.max(high - low, 1e-6);
   const height = Math.max(top - bottom, 1e-6);
   for (let i = 0; i < points.length; i += 3) {
     const along = points[i] * x + points[i + 2] * z;
@@ -108,15 +133,21 @@ function lengthwise(points: Float32Array, x: number, z: number): Lengthwise {
       sums.foot += place;
       sums.inFoot++;
     }
-    if (along > high - quarter) sums.first++;
-    else if (along < low + quarter) sums.last++;
+    const slice = Math.min(SLICES - 1, Math.floor((SLICES * (along - low)) / span));
+    tops[slice] = Math.max(tops[slice], above);
   }
   const deviation = Math.max(Math.sqrt(sums.square), 1e-6);
+  const named = landmarks.reduce((sum, landmark) => {
+    const place = landmark.x * x + landmark.z * z;
+    return sum + landmark.sign * (place - (low + high) / 2);
+  }, 0);
+  const rise = tops.reduce((sum, height, slice) => sum + (slice < SLICES / 2 ? -height : height), 0);
   return {
     length: (high - low) / height,
     top: sums.inTop > 0 ? sums.top / sums.inTop / deviation : 0,
     foot: sums.inFoot > 0 ? sums.foot / sums.inFoot / deviation : 0,
     skew: sums.cube / deviation ** 3,
-    ends: Math.log((sums.first / count + 0.02) / (sums.last / count + 0.02)),
+    rise: rise / (SLICES / 2),
+    named: landmarks.length > 0 ? (2 * named) / span / landmarks.length : 0,
   };
 }

@@ -19,6 +19,8 @@ export interface ViewMeasures {
   sides: number;
   /** The share of the seen surface that shows its back. */
   backs: number;
+  /** The share of what is seen that slopes and faces upwards. */
+  slopes: number;
   /** How much nearer than the middle of the unit sphere the seen surface lies, in radii. */
   near: number;
 }
@@ -29,6 +31,8 @@ const STEP = 3;
 const LEAST_COSINE = 0.2;
 /** Directions are sorted into this many cells to a unit. */
 const CELLS = 2;
+/** What slopes faces upwards by more than the first and less than the second sine. */
+const SLOPE = { least: 0.15, most: 0.95 };
 const CELLS_ACROSS = 2 * CELLS + 1;
 
 /** Measures what a map shows of its surface. */
@@ -37,7 +41,7 @@ export function measureView(map: SeenMap, surface: ViewSurface): ViewMeasures {
   const { normals, area } = surface;
   const pixel = 2 / MAP_SIZE;
   const histogram = new Float64Array(CELLS_ACROSS ** 3);
-  let [covered, seen, backs, outline, inner, relief, sum, squares] = [0, 0, 0, 0, 0, 0, 0, 0];
+  let [covered, seen, backs, slopes, outline, inner, relief, sum, squares] = [0, 0, 0, 0, 0, 0, 0, 0, 0];
   for (let at = 0; at < triangles.length; at++) {
     const triangle = triangles[at];
     if (triangle === NOTHING) continue;
@@ -47,6 +51,8 @@ export function measureView(map: SeenMap, surface: ViewSurface): ViewMeasures {
     const sign = facing < 0 ? -1 : 1;
     seen += 1 / Math.max(LEAST_COSINE, Math.abs(facing));
     if (facing < 0) backs++;
+    const upward = sign * normals[n + 1];
+    if (upward > SLOPE.least && upward < SLOPE.most) slopes++;
     sum += nearness[at];
     squares += nearness[at] ** 2;
     const cell =
@@ -82,6 +88,7 @@ export function measureView(map: SeenMap, surface: ViewSurface): ViewMeasures {
     inner: inner / MAP_SIZE,
     sides,
     backs: covered > 0 ? backs / covered : 0,
+    slopes: covered > 0 ? slopes / covered : 0,
     near: mean * pixel,
   };
 }

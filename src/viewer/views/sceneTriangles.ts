@@ -22,7 +22,8 @@ export function sceneTriangles(root: Object3D): ViewTriangles {
   const step = Math.max(1, Math.ceil(total / MOST_TRIANGLES));
   const positions: number[] = [];
   const isSingleSided: number[] = [];
-  for (const part of parts) {
+  const ofVertices: number[] = [];
+  for (const [number, part] of parts.entries()) {
     const matrix = new Matrix4().multiplyMatrices(toParent, part.matrix);
     const isMirrored = matrix.determinant() < 0;
     for (let corner = part.start; corner + 2 < part.start + part.count; corner += 3 * step) {
@@ -34,9 +35,15 @@ export function sceneTriangles(root: Object3D): ViewTriangles {
       if (!triangle.every(Number.isFinite)) continue;
       positions.push(...triangle);
       isSingleSided.push(Number(part.isSingleSided));
+      ofVertices.push(number, number, number);
     }
   }
-  return { positions: Float32Array.from(positions), indices: null, isSingleSided: Uint8Array.from(isSingleSided) };
+  return {
+    positions: Float32Array.from(positions),
+    indices: null,
+    isSingleSided: Uint8Array.from(isSingleSided),
+    parts: { names: parts.map(({ mesh }) => mesh.name), ofVertices: Uint32Array.from(ofVertices) },
+  };
 }
 
 const point = new Vector3();

@@ -1,4 +1,6 @@
+import type { MeshParts } from '../files/mesh/PlainMesh.js';
 import type { UpAxis } from '../files/mesh/UpAxis.js';
+import { type Landmark, landmarksOf } from './landmarks.js';
 
 /** Triangles in any pose and size. */
 export interface ViewTriangles {
@@ -8,6 +10,8 @@ export interface ViewTriangles {
   indices: ArrayLike<number> | null;
   /** Whether the back of each triangle is not drawn; null if both sides of all are. */
   isSingleSided: Uint8Array | null;
+  /** The parts that the triangles belong to, if there are several with names. */
+  parts?: MeshParts | undefined;
 }
 
 /** A surface that stands upright, in the unit sphere, with few enough triangles to be looked at from many sides. */
@@ -23,6 +27,8 @@ export interface ViewSurface {
   /** Half the height, and half the larger horizontal extent. */
   halfHeight: number;
   halfWidth: number;
+  /** Parts whose names say whether they are in front. */
+  landmarks: readonly Landmark[];
 }
 
 /** Surfaces with more triangles are made coarser. */
@@ -65,13 +71,13 @@ const UPRIGHT: Readonly<Record<UpAxis, readonly [sign: number, axis: 0 | 1 | 2][
 };
 
 /** Turns triangles upright, fits them into the unit sphere, and merges vertices of large ones that are close together. */
-export function viewSurface({ positions, indices, isSingleSided }: ViewTriangles, up: UpAxis): ViewSurface {
+export function viewSurface({ positions, indices, isSingleSided, parts }: ViewTriangles, up: UpAxis): ViewSurface {
   const upright = fitted(positions, UPRIGHT[up]);
   const count = Math.floor((indices?.length ?? positions.length / 3) / 3);
   const corners = new Uint32Array(3 * count);
   for (let corner = 0; corner < corners.length; corner++) corners[corner] = indices ? indices[corner] : corner;
   const { points, joined } = count > MANY ? clustered(upright, corners) : { points: upright, joined: corners };
-  return measured(points, joined, isSingleSided);
+  return { ...measured(points, joined, isSingleSided), landmarks: parts ? landmarksOf(upright, parts) : [] };
 }
 
 function fitted(positions: ArrayLike<number>, rows: readonly (readonly [number, number])[]): Float32Array<ArrayBuffer> {
@@ -131,7 +137,7 @@ function measured(
   positions: Float32Array<ArrayBuffer>,
   corners: Uint32Array,
   isSingleSided: Uint8Array | null,
-): ViewSurface {
+): Omit<ViewSurface, 'landmarks'> {
   const count = corners.length / 3;
   const indices = new Uint32Array(corners.length);
   const normals = new Float32Array(corners.length);

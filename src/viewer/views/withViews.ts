@@ -13,8 +13,8 @@ import { chooseViews } from './chooseViews.js';
  */
 export function withViews(read: ReadModel, up: UpAxis, onStage: OnStage): ReadModel {
   if (read.kind !== 'mesh') return read;
-  const { positions, indices } = read.mesh;
-  const triangles = { positions, indices, isSingleSided: oneSided(read.mesh) };
+  const { positions, indices, parts } = read.mesh;
+  const triangles = { positions, indices, isSingleSided: oneSided(read.mesh), parts };
   const views = runStage('looking for a view', onStage, chooseViews(triangles, up));
   if (!read.extras) return { ...read, views };
   const { extras } = read;

@@ -2,11 +2,15 @@ import {
   BoxGeometry,
   type BufferGeometry,
   CylinderGeometry,
+  ExtrudeGeometry,
   Group,
   Mesh,
   MeshBasicMaterial,
   PlaneGeometry,
+  Shape,
+  Vector2,
 } from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { describe, expect, test } from 'vitest';
 import { NodeSurroundings } from '../../../../src/command/draw/NodeSurroundings.js';
 import { runToEnd } from '../../../../src/mesh/phases.js';
@@ -92,6 +96,52 @@ describe('the first view of', () => {
     expect(Math.min(off, 180 - off)).toBeLessThanOrEqual(45);
   });
 
+  /** A long body with a low bonnet and a windscreen at +z, and a cab with an upright rear. */
+  const car = (): ViewTriangles => {
+    const side = new Shape(
+      [
+        [-2, 0],
+        [2, 0],
+        [2, 0.7],
+        [1, 0.8],
+        [0.3, 1.4],
+        [-1.9, 1.4],
+        [-2, 0.8],
+      ].map(([x, y]) => new Vector2(x, y)),
+    );
+    const body = new ExtrudeGeometry(side, { depth: 1.6, bevelEnabled: false }).translate(0, 0, -0.8);
+    return ofGeometry(body.rotateY(-Math.PI / 2));
+  };
+  /** A seat with a back at −z. */
+  const chair = (): ViewTriangles =>
+    ofGeometry(
+      mergeGeometries([
+        new BoxGeometry(1, 0.1, 1),
+        new BoxGeometry(1, 1, 0.1).translate(0, 0.5, -0.45),
+        ...[-0.45, 0.45].flatMap((x) => [-0.45, 0.45].map((z) => new BoxGeometry(0.1, 1, 0.1).translate(x, -0.5, z))),
+      ]),
+    );
+
+  test.each([0, 90, 180, 270])('a car is on its bonnet and a chair on its seat: turned by %i°', (degrees) => {
+    expect(angleBetween(viewsOf(turned(car(), degrees))[0].azimuth, degrees)).toBeLessThanOrEqual(85);
+    expect(angleBetween(viewsOf(turned(chair(), degrees))[0].azimuth, degrees)).toBeLessThanOrEqual(50);
+  });
+
+  test.each([
+    ['headlight', 0],
+    ['tail light, rear', 180],
+  ])(
+    'a box is on its side with a part that is named for the front, or against one for the back: %s',
+    (name, azimuth) => {
+      const box = new BoxGeometry(1, 0.6, 2).toNonIndexed();
+      const lamp = new BoxGeometry(0.2, 0.2, 0.02).translate(0, 0, 1).toNonIndexed();
+      const triangles = ofGeometry(mergeGeometries([box, lamp]));
+      const ofVertices = Uint32Array.from({ length: triangles.positions.length / 3 }, (_, i) => Number(i >= 36));
+      const [first] = viewsOf({ ...triangles, parts: { names: ['body', name], ofVertices } });
+      expect(angleBetween(first.azimuth, azimuth)).toBeLessThanOrEqual(85);
+    },
+  );
+
   test('a mug shows its handle', () => {
     const mug = new Group();
     const material = new MeshBasicMaterial();
@@ -124,6 +174,14 @@ test('four views are offered, from sides that differ', async () => {
   for (const [i, view] of views.entries()) {
     for (const other of views.slice(i + 1))
       expect(angleBetween(view.azimuth, other.azimuth)).toBeGreaterThanOrEqual(60);
+  }
+});
+
+test('one of the first three views is from behind the first one', async () => {
+  for (const triangles of [await suzanne(), ofGeometry(new BoxGeometry(1, 0.6, 2))]) {
+    const [first, ...others] = viewsOf(triangles);
+    const behind = others.filter(({ azimuth }) => angleBetween(azimuth, first.azimuth) >= 140);
+    expect(behind.length).toBeGreaterThan(0);
   }
 });
 
