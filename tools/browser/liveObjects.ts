@@ -37,10 +37,13 @@ export async function countObjects(page: Page): Promise<void> {
     wrap('deleteSync', (_, [gone]) => setOf('Sync').delete(gone));
 
     const workers = setOf('Worker');
+    const urls = setOf('URL');
     window.Worker = class extends Worker {
       constructor(...args: ConstructorParameters<typeof Worker>) {
         super(...args);
         workers.add(this);
+        // A worker of ours frees the URL of its own text before it answers.
+        this.addEventListener('message', () => urls.delete(String(args[0])), { once: true });
       }
 
       override terminate(): void {
@@ -48,7 +51,6 @@ export async function countObjects(page: Page): Promise<void> {
         super.terminate();
       }
     };
-    const urls = setOf('URL');
     const { createObjectURL, revokeObjectURL } = URL;
     URL.createObjectURL = (thing) => {
       const url = createObjectURL(thing);
