@@ -1,4 +1,5 @@
 import { type LinePath, PATH_STRIDE, pathLength } from '../paths/LinePath.js';
+import { PlaceGrid } from '../paths/PlaceGrid.js';
 
 /** Limits for lines that stand alone, pixels. */
 export interface ShortLineLimits {
@@ -10,8 +11,6 @@ export interface ShortLineLimits {
 
 /** Most samples of one piece of a line. */
 const MOST_STEPS = 2 ** 16;
-/** Cells have one index, with this distance between rows. */
-const ROW = 2 ** 22;
 
 /** Removes paths that stand alone: short open ones that meet no others, or only others that are short in total too. */
 export function dropShortLines<Item extends { path: LinePath }>(
@@ -35,12 +34,10 @@ export function dropShortLines<Item extends { path: LinePath }>(
 
 /** The lines near a place, by cells. */
 class Places {
-  private readonly cells = new Map<number, [x: number, y: number, line: number][]>();
+  private readonly grid: PlaceGrid<readonly [x: number, y: number, line: number]>;
 
-  constructor(private readonly distance: number) {}
-
-  private cellOf(x: number, y: number): number {
-    return Math.floor(x / this.distance) + ROW * Math.floor(y / this.distance);
+  constructor(private readonly distance: number) {
+    this.grid = new PlaceGrid(distance);
   }
 
   /** Adds a line by samples on it, half of the distance apart. */
@@ -54,22 +51,13 @@ class Places {
       const steps = isLast ? 1 : Math.min(Math.max(asked, 1), MOST_STEPS);
       for (let k = 0; k < steps; k++) {
         const [x, y] = [points[from] + (k * dx) / steps, points[from + 1] + (k * dy) / steps];
-        const cell = this.cellOf(x, y);
-        const known = this.cells.get(cell);
-        if (known) known.push([x, y, line]);
-        else this.cells.set(cell, [[x, y, line]]);
+        this.grid.add(x, y, [x, y, line]);
       }
     }
   }
 
   *near(x: number, y: number): Generator<number, void, void> {
-    const { distance } = this;
-    for (const dy of [-distance, 0, distance]) {
-      for (const dx of [-distance, 0, distance]) {
-        for (const [px, py, line] of this.cells.get(this.cellOf(x + dx, y + dy)) ?? [])
-          if (Math.hypot(px - x, py - y) <= distance) yield line;
-      }
-    }
+    for (const [px, py, line] of this.grid.around(x, y)) if (Math.hypot(px - x, py - y) <= this.distance) yield line;
   }
 }
 

@@ -1,11 +1,10 @@
 import { type LinePath, PATH_STRIDE, pathLength, reversedPoints } from './LinePath.js';
+import { PlaceGrid } from './PlaceGrid.js';
 
 /** The least cosine between the directions of two lines that go on in each other, 45°. */
 const LEAST_COSINE = Math.SQRT1_2;
 /** Lines shorter than this many times the reach are no rings, though both ends lie in one place. */
 const SHORTEST_RING = 10;
-/** Cells have one index, with this distance between rows. */
-const ROW = 2 ** 22;
 
 /** An end of an open path: its number is that of the path times two, plus one for the second end. */
 interface PathEnd {
@@ -67,25 +66,17 @@ function partnersOf(paths: readonly LinePath[], reach: number): Int32Array {
     path.isClosed || path.isDash ? [null, null] : [endOf(path, reach, 0), endOf(path, reach, 1)],
   );
   const isDot = (path: LinePath): boolean => pathLength(path) < SHORTEST_RING * reach;
-  const cells = new Map<number, number[]>();
-  const cellOf = (x: number, y: number): number => Math.floor(x / reach) + ROW * Math.floor(y / reach);
+  const known = new PlaceGrid<number>(reach);
   const pairs: { a: number; b: number; distance: number }[] = [];
   for (const [b, end] of ends.entries()) {
     if (!end) continue;
-    for (const dy of [-reach, 0, reach]) {
-      for (const dx of [-reach, 0, reach]) {
-        for (const a of cells.get(cellOf(end.x + dx, end.y + dy)) ?? []) {
-          const other = ends[a]!;
-          const distance = Math.hypot(other.x - end.x, other.y - end.y);
-          if (distance > reach || -(other.dx * end.dx + other.dy * end.dy) < LEAST_COSINE) continue;
-          if (a >> 1 !== b >> 1 || !isDot(paths[a >> 1])) pairs.push({ a, b, distance });
-        }
-      }
+    for (const a of known.around(end.x, end.y)) {
+      const other = ends[a]!;
+      const distance = Math.hypot(other.x - end.x, other.y - end.y);
+      if (distance > reach || -(other.dx * end.dx + other.dy * end.dy) < LEAST_COSINE) continue;
+      if (a >> 1 !== b >> 1 || !isDot(paths[a >> 1])) pairs.push({ a, b, distance });
     }
-    const cell = cellOf(end.x, end.y);
-    const known = cells.get(cell);
-    if (known) known.push(b);
-    else cells.set(cell, [b]);
+    known.add(end.x, end.y, b);
   }
   pairs.sort((one, other) => one.distance - other.distance || one.a - other.a || one.b - other.b);
   const partners = new Int32Array(ends.length).fill(-1);

@@ -348,9 +348,9 @@ async function openedParts(
   switched: readonly FileChangeKind[],
 ): Promise<{ parts: GltfParts; changes: FileChange[] }> {
   const changes = sidesChange(switched.includes('sides') && parts.hasBothSides);
-  if (usual || switched.includes('ceiling')) return { parts, changes };
-  const { root, animations } = await parseGltf(parts);
-  const ceiling = animations.length === 0 ? findSceneCeiling(root) : undefined;
+  const { animations } = parts.json as { animations?: readonly unknown[] };
+  if (usual || switched.includes('ceiling') || animations?.length) return { parts, changes };
+  const ceiling = findSceneCeiling((await parseGltf(parts)).root);
   if (!ceiling) return { parts, changes };
   return { parts: { ...parts, ceiling, hasBothSides: true }, changes: [...changes, ...ceilingChange(true)] };
 }

@@ -1,11 +1,10 @@
 import { BufferAttribute, FrontSide, type Material, type Mesh, type Object3D, Vector3 } from 'three';
+import { meshesOf } from '../../drawing/meshes.js';
 import { ceilingOf } from '../mesh/openCeiling.js';
 import type { PictureRange, PlainMesh } from '../mesh/PlainMesh.js';
 
 /** The triangles of each mesh of a scene, in the order of `meshesOf`, that belong to a ceiling: 1 for each of them, else 0. */
 export type SceneCeiling = readonly Uint8Array[];
-
-const meshesOf = (root: Object3D): Mesh[] => root.getObjectsByProperty('isMesh', true) as Mesh[];
 
 const cornersOf = ({ geometry: { index, attributes } }: Mesh): number =>
   index?.count ?? attributes.position?.count ?? 0;
