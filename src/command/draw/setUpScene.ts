@@ -202,12 +202,12 @@ function viewOf(
  * @param cameras of the upright model
  */
 function automaticView(
-  { root, extras }: HatchedModel,
+  { root, extras, joinedParts }: HatchedModel,
   upAxis: Settings['upAxis'],
   cameras: readonly FileCamera[],
   { view }: DrawingOptions,
 ): EyeDirection | FileCamera {
-  const triangles = sceneTriangles(root);
+  const triangles = sceneTriangles(root, joinedParts);
   const sights = cameraSights(triangles, extras.cameras);
   const seeing = cameras.filter((_, i) => sights[i] === 'model');
   const rank = view && 'rank' in view ? view.rank : 1;

@@ -50,7 +50,7 @@ export class AnotherView {
 
   private async find(model: HatchedModel): Promise<OfferedView[]> {
     const { settings, viewport } = this.session;
-    const request = { triangles: sceneTriangles(model.root), up: settings.upAxis, cameras: [] };
+    const request = { triangles: sceneTriangles(model.root, model.joinedParts), up: settings.upAxis, cameras: [] };
     const { views } = await findViews(request, new AbortController().signal);
     const { x, z } = viewport.view.firstDirection;
     const first = MathUtils.radToDeg(Math.atan2(x, z));

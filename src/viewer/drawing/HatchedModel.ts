@@ -160,6 +160,11 @@ export class HatchedModel {
     };
   }
 
+  /** The parts, if they are joined to one mesh. */
+  get joinedParts(): ModelParts | undefined {
+    return this.parts?.hide ? undefined : this.parts;
+  }
+
   /** The extent of the model, by which all parts of the scene measure depth. */
   get extent(): SceneExtent | null {
     return this.sets.drawn.materials[0]?.composition.extent ?? null;

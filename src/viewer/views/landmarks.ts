@@ -32,7 +32,7 @@ export function landmarksOf(positions: Float32Array, { names, ofVertices }: Mesh
 }
 
 /** 1 for a name of what is in front, −1 for one of what is behind, 0 for others and for names that say both. */
-function signOf(name: string): 1 | -1 | 0 {
+export function signOf(name: string): 1 | -1 | 0 {
   const words = name
     .replace(/(\p{Ll})(\p{Lu})/gu, '$1 $2')
     .normalize('NFD')

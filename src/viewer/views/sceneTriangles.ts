@@ -1,14 +1,23 @@
 import { FrontSide, type Material, Matrix4, type Mesh, type Object3D, Vector3 } from 'three';
+import type { ModelParts } from '../drawing/ModelParts.js';
 import { drawnMeshes, placements, rangesOf } from '../drawing/meshes.js';
-import type { ViewTriangles } from './viewSurface.js';
+import { signOf } from './landmarks.js';
+import type { NamedPoints, ViewTriangles } from './viewSurface.js';
 
 /** The maximum number of triangles that are read; of larger scenes, each stands for some of its neighbours. */
 const MOST_TRIANGLES = 200_000;
 
 const isSeen = ({ visible, transparent, opacity }: Material): boolean => visible && !(transparent && opacity === 0);
 
-/** The visible triangles of a scene in its present pose, in the space of the parent of its root. */
-export function sceneTriangles(root: Object3D): ViewTriangles {
+/** The number of triangles that stand for a part of a mesh that was joined from several. */
+const PER_PART = 500;
+
+/**
+ * The visible triangles of a scene in its present pose, in the space of the parent of its root.
+ *
+ * @param joined the parts of a mesh that was joined from several
+ */
+export function sceneTriangles(root: Object3D, joined?: ModelParts): ViewTriangles {
   root.updateWorldMatrix(true, true);
   const toParent = root.parent ? new Matrix4().copy(root.parent.matrixWorld).invert() : new Matrix4();
   const parts = drawnMeshes(root).flatMap((mesh) =>
@@ -42,8 +51,25 @@ export function sceneTriangles(root: Object3D): ViewTriangles {
     positions: Float32Array.from(positions),
     indices: null,
     isSingleSided: Uint8Array.from(isSingleSided),
-    parts: { names: parts.map(({ mesh }) => mesh.name), ofVertices: Uint32Array.from(ofVertices) },
+    parts: joined
+      ? pointsOf(joined, toParent)
+      : { names: parts.map(({ mesh }) => mesh.name), ofVertices: Uint32Array.from(ofVertices) },
   };
+}
+
+/** Points on the parts whose names say whether they are in front. */
+function pointsOf({ names, hidden, trianglesOf }: ModelParts, toParent: Matrix4): NamedPoints {
+  const points: number[] = [];
+  const ofVertices: number[] = [];
+  for (const part of names.keys()) {
+    if (hidden.includes(part) || signOf(names[part]) === 0) continue;
+    const corners = trianglesOf(part, PER_PART);
+    for (let i = 0; i < corners.length; i += 3) {
+      points.push(...point.fromArray(corners, i).applyMatrix4(toParent).toArray());
+      ofVertices.push(part);
+    }
+  }
+  return { names, ofVertices: Uint32Array.from(ofVertices), points };
 }
 
 const point = new Vector3();

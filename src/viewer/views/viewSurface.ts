@@ -11,7 +11,13 @@ export interface ViewTriangles {
   /** Whether the back of each triangle is not drawn; null if both sides of all are. */
   isSingleSided: Uint8Array | null;
   /** The parts that the triangles belong to, if there are several with names. */
-  parts?: MeshParts | undefined;
+  parts?: NamedPoints | undefined;
+}
+
+/** Points on parts that have names. */
+export interface NamedPoints extends MeshParts {
+  /** xyz of each point; the vertices of the triangles where it is missing. */
+  points?: ArrayLike<number>;
 }
 
 /** A surface that stands upright, in the unit sphere, with few enough triangles to be looked at from many sides. */
@@ -72,36 +78,54 @@ const UPRIGHT: Readonly<Record<UpAxis, readonly [sign: number, axis: 0 | 1 | 2][
 
 /** Turns triangles upright, fits them into the unit sphere, and merges vertices of large ones that are close together. */
 export function viewSurface({ positions, indices, isSingleSided, parts }: ViewTriangles, up: UpAxis): ViewSurface {
-  const upright = fitted(positions, UPRIGHT[up]);
+  const fit = fitting(positions, UPRIGHT[up]);
+  const upright = fit(positions);
   const count = Math.floor((indices?.length ?? positions.length / 3) / 3);
   const corners = new Uint32Array(3 * count);
   for (let corner = 0; corner < corners.length; corner++) corners[corner] = indices ? indices[corner] : corner;
   const { points, joined } = count > MANY ? clustered(upright, corners) : { points: upright, joined: corners };
-  return { ...measured(points, joined, isSingleSided), landmarks: parts ? landmarksOf(upright, parts) : [] };
+  return { ...measured(points, joined, isSingleSided), landmarks: landmarksIn(parts, upright, fit) };
 }
 
-function fitted(positions: ArrayLike<number>, rows: readonly (readonly [number, number])[]): Float32Array<ArrayBuffer> {
-  const upright = new Float32Array(positions.length);
+type Fit = (points: ArrayLike<number>) => Float32Array<ArrayBuffer>;
+
+function landmarksIn(parts: NamedPoints | undefined, upright: Float32Array, fit: Fit): Landmark[] {
+  if (!parts) return [];
+  return landmarksOf(parts.points ? fit(parts.points) : upright, parts);
+}
+
+/** The function that turns points upright, and moves and scales them as these positions have to be to lie in the unit sphere. */
+function fitting(positions: ArrayLike<number>, rows: readonly (readonly [number, number])[]): Fit {
+  const turned = (points: ArrayLike<number>): Float32Array<ArrayBuffer> => {
+    const upright = new Float32Array(points.length);
+    for (let k = 0; k < 3; k++) {
+      const [sign, axis] = rows[k];
+      for (let i = 0; i < points.length; i += 3) upright[i + k] = sign * points[i + axis];
+    }
+    return upright;
+  };
+  const upright = turned(positions);
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (let k = 0; k < 3; k++) {
-    const [sign, axis] = rows[k];
-    for (let i = 0; i < positions.length; i += 3) {
-      const value = sign * positions[i + axis];
-      upright[i + k] = value;
-      if (value < low[k]) low[k] = value;
-      if (value > high[k]) high[k] = value;
-    }
+  for (let i = 0; i < upright.length; i++) {
+    const k = i % 3;
+    if (upright[i] < low[k]) low[k] = upright[i];
+    if (upright[i] > high[k]) high[k] = upright[i];
   }
   const middle = low.map((value, k) => (value + high[k]) / 2);
-  for (let i = 0; i < upright.length; i++) upright[i] -= middle[i % 3];
   let square = 0;
   for (let i = 0; i < upright.length; i += 3) {
-    square = Math.max(square, upright[i] ** 2 + upright[i + 1] ** 2 + upright[i + 2] ** 2);
+    square = Math.max(
+      square,
+      (upright[i] - middle[0]) ** 2 + (upright[i + 1] - middle[1]) ** 2 + (upright[i + 2] - middle[2]) ** 2,
+    );
   }
   const scale = square > 0 ? 1 / Math.sqrt(square) : 1;
-  for (let i = 0; i < upright.length; i++) upright[i] *= scale;
-  return upright;
+  return (points) => {
+    const fitted = points === positions ? upright.slice() : turned(points);
+    for (let i = 0; i < fitted.length; i++) fitted[i] = scale * (fitted[i] - middle[i % 3]);
+    return fitted;
+  };
 }
 
 /** Merges the vertices in each cell of a grid. Triangles that lose a corner stay, without area. */
