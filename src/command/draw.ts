@@ -1,9 +1,11 @@
 import { stat } from 'node:fs/promises';
-import { dirname, join, resolve } from 'node:path';
+import { dirname, extname, join, resolve } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
+import type { SVGDrawingLayer } from 'three-hatching/svg';
 import { version } from '../../package.json';
+import { plottingTime } from '../vector/plot/plotTime.js';
 import { shownText } from '../viewer/files/common/ModelError.js';
 import { readingTime } from '../viewer/files/common/ModelFile.js';
 import { DrawingFiles } from './DrawingFiles.js';
@@ -32,7 +34,7 @@ export async function draw(args: readonly string[], signal: AbortSignal, bar: Pr
   const { out, force, jobs, options } = request;
   const models = await filesOf(request.models);
   const isFolder = (await stat(out).catch(() => undefined))?.isDirectory() ?? false;
-  const planned = planOutputs(models, out, isFolder, options.frames);
+  const planned = planOutputs(models, out, isFolder, options.frames, options.written);
   const files = new DrawingFiles(force);
   try {
     await files.open(planned.flatMap(({ outputs }) => outputs));
@@ -107,11 +109,14 @@ class Draughtsmen {
       if (message.kind === 'progress') this.show(index, message.stage, message.progress);
       else if (message.kind === 'note') this.tell(process.stderr, message.sentence);
       else if (message.kind === 'drawing') {
-        const { frame, svg, counts } = message;
+        const { frame, texts, counts } = message;
         writing = writing.then(async () => {
-          await files.write(outputs[frame], svg);
+          for (const { ending, text } of texts) await files.write(withEnding(outputs[frame], ending), text);
           const now = performance.now();
           this.tell(this.counts, `${nameOf(outputs[frame])}: ${describe(counts, (now - began) / 1000)}`);
+          if (counts.layers.length > 1)
+            for (const layer of counts.layers)
+              this.tell(this.counts, `${nameOf(outputs[frame])}, ${layer.name}: ${describeLayer(layer)}`);
           began = now;
         });
         // Marks the rejection as handled; the promise is awaited below.
@@ -187,11 +192,24 @@ const inMetres = (millimetres: number): string => `${(millimetres / 1000).toFixe
 
 const nameOf = (output: string): string => (output === STANDARD ? 'the standard output' : output);
 
-/** @param seconds since the start of the model, or since the previous frame */
-function describe({ paths, drawn, travelBefore, travelAfter }: DrawingCounts, seconds: number): string {
-  const count = `${paths.toLocaleString('en')} ${paths === 1 ? 'path' : 'paths'}`;
-  return `${count}, ${inMetres(drawn)} drawn, ${inMetres(travelAfter)} of travel (${inMetres(travelBefore)} before ordering), ${seconds.toFixed(1)} s.`;
+/** The path of a file with an ending of its name, before the extension. */
+function withEnding(path: string, ending: string): string {
+  if (ending === '') return path;
+  const extension = extname(path);
+  return `${path.slice(0, path.length - extension.length)}-${ending}${extension}`;
 }
+
+const countOf = (count: number, one: string): string =>
+  `${count.toLocaleString('en')} ${count === 1 ? one : `${one}s`}`;
+
+/** @param seconds since the start of the model, or since the previous frame */
+function describe({ paths, drawn, travelBefore, travelAfter, plotSeconds }: DrawingCounts, seconds: number): string {
+  const plotting = plotSeconds === null ? '' : ` ${plottingTime(plotSeconds)} to plot,`;
+  return `${countOf(paths, 'path')}, ${inMetres(drawn)} drawn, ${inMetres(travelAfter)} of travel (${inMetres(travelBefore)} before ordering),${plotting} ${seconds.toFixed(1)} s.`;
+}
+
+const describeLayer = ({ paths, drawn, plotSeconds }: CountedLayer): string =>
+  `${countOf(paths, 'path')}, ${inMetres(drawn)}${plotSeconds === null ? '' : `, ${plottingTime(plotSeconds)}`}`;
 
 /** A model to draw in a worker thread. */
 export interface DrawTask {
@@ -208,13 +226,19 @@ export interface DrawingCounts {
   drawn: number;
   travelBefore: number;
   travelAfter: number;
+  /** The estimated time of plotting; null for a print. */
+  plotSeconds: number | null;
+  layers: readonly CountedLayer[];
 }
+
+/** Counts of one layer of a drawing. */
+type CountedLayer = Pick<SVGDrawingLayer, 'name' | 'paths' | 'drawn' | 'plotSeconds'>;
 
 /** A message from the thread: progress, a note for the user, a drawing, or the result. */
 export type DrawMessage =
   | { kind: 'progress'; stage: string; progress: number; bytes?: number | undefined }
   | { kind: 'note'; sentence: string }
-  | { kind: 'drawing'; frame: number; svg: string; counts: DrawingCounts }
+  | { kind: 'drawing'; frame: number; texts: readonly { ending: string; text: string }[]; counts: DrawingCounts }
   | { kind: 'done'; isWhole: boolean }
   | { kind: 'failed'; sentence: string };
 

@@ -1,7 +1,11 @@
+import type { PlotterPen } from 'three-hatching/svg';
 import { type HatchingPreset, presets } from '../scene/presets.js';
+import type { PenLayers } from '../vector/plot/pens.js';
 import { SHEET_SIZES, SHEET_WORDS, type Sheet, sheetNamed } from '../vector/svg/sheetSizes.js';
 import type { FileChangeKind } from '../viewer/files/common/fileChanges.js';
-import { readOptions, UsageError } from './readOptions.js';
+import { readOptions, shown, UsageError } from './readOptions.js';
+import { metresOf, type PenWidths, penLayers, penWidths } from './readPens.js';
+import { STANDARD } from './standardStreams.js';
 
 /** The changes to a file that `--as-written` leaves out. */
 const AS_WRITTEN = ['orientation', 'up', 'hidden', 'ceiling'] as const satisfies readonly FileChangeKind[];
@@ -55,7 +59,14 @@ export interface DrawingOptions {
   /** The number of frames of a turn or of the clip; undefined for a single picture. */
   frames: number | undefined;
   kind: 'print' | 'pen';
-  pen: number;
+  pen: PenWidths;
+  pens: PenLayers | readonly PlotterPen[] | undefined;
+  /** Metres after which a pen is filled again. */
+  refill: number | undefined;
+  /** Whether each pen has a file of its own. */
+  isSplit: boolean;
+  /** What is written. */
+  written: 'svg' | 'dxf';
   /** Shorter lines of a pen are left out, millimetres; undefined for the default. */
   shortest: number | undefined;
   sheet: Sheet;
@@ -73,9 +84,6 @@ export interface DrawingOptions {
 /** A number in decimal notation; NaN for anything else, also where JavaScript's `Number` accepts it, such as `0x10` or blanks. */
 const numberOf = (text: string): number =>
   /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i.test(text) ? Number(text) : Number.NaN;
-
-/** A value for a message, in quotes if it is empty or contains white space. */
-const shown = (value = ''): string => (/^\S+$/.test(value) ? value : `"${value}"`);
 
 /** Directions by name. `iso` is the isometric view. */
 const NAMED: Readonly<Record<string, DirectionInDegrees>> = {
@@ -155,6 +163,9 @@ const OPTIONS = {
   frames: { type: 'string' },
   kind: { type: 'string' },
   pen: { type: 'string' },
+  pens: { type: 'string' },
+  refill: { type: 'string' },
+  split: { type: 'string' },
   shortest: { type: 'string' },
   sheet: { type: 'string' },
   margin: { type: 'string' },
@@ -211,7 +222,12 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --shadows, --no-shadows  whether the light casts shadows (default: as the look has it, which is yes)
   --up <axis>              the axis that points up: y, z, x, -y, -z or -x (default: as the format has it)
   --kind <print|pen>       filled lines, or lines for one pen (default print)
-  --pen <mm>               the width of the pen; draws for a pen (default ${DEFAULTS.pen})
+  --pen <mm>               the width of the pen; draws for a pen (default ${DEFAULTS.pen}); or several widths, as
+                           "0.3, outlines 0.5", for outlines, hidden, lines, background or dots
+  --pens <layers>          a layer for each ink, material or part, or for each of your pens, as "black 0.3, red 0.5",
+                           to which colours are matched: a plotter pauses before it (default layer: each kind of lines)
+  --refill <metres>        pauses after so many metres of line, as 40m, to fill the pen
+  --split pen              a file for each pen
   --shortest <mm>          leaves out lines of a pen that are shorter, as each takes a lift (default 1)
   --sheet <size>           ${Object.keys(SHEET_SIZES).join(', ')}, turned to suit the model;
                            "A4 landscape" or "A4 portrait"; or as 200x150 in millimetres or 8.5x11in (default ${DEFAULTS.sheet})
@@ -229,8 +245,8 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
                            (default: triangles that face inward are turned, models stand, hidden parts and ceilings are left out)
   --both-sides             draws both sides of surfaces, also where a glTF file has one
   --clip <name>            poses the model by this clip; its number will do
-  --format <name>          the format of a model that does not tell it: stl, obj, …
-  --out <file>             the SVG file to write to; - is the standard output;
+  --format <name>          the format of a model that does not tell it: stl, obj, …; or dxf, to write lines of a pen in DXF
+  --out <file>             the SVG file to write to, or a DXF file; - is the standard output;
                            for several models a folder, or a name with {name} and {frame}
   --force                  replaces files
   --jobs <count>           how many models are drawn at a time (default ${DEFAULTS.jobs})
@@ -252,9 +268,16 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
   if (values.version) return { action: 'version' };
   if (models.length === 0) throw new UsageError('There is no model to draw; name a file after draw.');
   if (!values.out?.trim()) throw new UsageError('--out is missing; name the file to write the drawing to.');
-  const kind = choice('kind', values.kind, ['print', 'pen']) ?? (values.pen === undefined ? 'print' : 'pen');
-  if (kind === 'print' && values.pen !== undefined)
-    throw new UsageError('--pen and --kind print exclude each other; pass only one of them.');
+  const written = isDxf(values) ? 'dxf' : 'svg';
+  const forPens = PEN_OPTIONS.filter((name) => values[name] !== undefined);
+  const kind =
+    choice('kind', values.kind, ['print', 'pen']) ?? (forPens.length > 0 || written === 'dxf' ? 'pen' : 'print');
+  if (kind === 'print' && forPens.length > 0)
+    throw new UsageError(`--${forPens[0]} and --kind print exclude each other; pass only one of them.`);
+  if (kind === 'print' && written === 'dxf')
+    throw new UsageError(
+      'A DXF file holds lines of a pen, not areas of a print; leave out --kind, or name a file that ends in .svg.',
+    );
   if (values.camera !== undefined && values.view !== undefined)
     throw new UsageError('--camera and --view exclude each other; pass only one of them.');
   if (kind === 'pen' && values.paper !== undefined)
@@ -284,21 +307,35 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     bothSides: values['both-sides'] ?? false,
     hide: namesOf('hide', values.hide),
     only: namesOf('only', values.only),
-    format: formatOf(values.format),
+    format: values.format?.trim().toLowerCase() === 'dxf' ? undefined : formatOf(values.format),
     clip: nameOf('clip', values.clip),
     frames: whole('frames', values.frames, 9999),
-    pen: number('pen', values.pen, { least: 0.01, most: 20 }) ?? DEFAULTS.pen,
+    pen: penWidths(values.pen) ?? DEFAULTS.pen,
+    pens: penLayers(values.pens),
+    refill: metresOf('refill', values.refill),
+    isSplit: choice('split', values.split, ['pen']) === 'pen',
     shortest: number('shortest', values.shortest, { least: 0, most: 1000 }),
     dpi: number('dpi', values.dpi, { least: 10, most: 1200 }) ?? DEFAULTS.dpi,
     paper: colour(values.paper),
     order: choice('order', values.order, ['travel', 'drawn']) ?? DEFAULTS.order,
     hidden: choice('hidden', values.hidden, ['none', 'dashed', 'faint']),
     animate: number('animate', values.animate, { least: 0.1, most: 3600 }),
-    ...{ link, kind, sheet, margin },
+    ...{ link, kind, sheet, margin, written },
   };
+  if (options.isSplit && (written === 'dxf' || values.out.trim() === STANDARD))
+    throw new UsageError(
+      '--split pen writes several SVG files; name a file that ends in .svg, or a folder, after --out.',
+    );
   const jobs = whole('jobs', values.jobs, 64) ?? DEFAULTS.jobs;
   return { action: 'draw', models, out: values.out, force: values.force ?? false, jobs, options };
 }
+
+/** Options that only a pen's drawing has, and that ask for one. */
+const PEN_OPTIONS = ['pen', 'pens', 'refill', 'split'] as const;
+
+/** Whether DXF is written, by the name of the file or the format. */
+const isDxf = ({ out, format }: { out?: string | undefined; format?: string | undefined }): boolean =>
+  /\.dxf$/i.test(out?.trim() ?? '') || format?.trim().toLowerCase() === 'dxf';
 
 function presetOf(text: string | undefined): string | undefined {
   if (text === undefined) return undefined;
@@ -384,9 +421,8 @@ function choice<Choice extends string>(
   if (text === undefined) return undefined;
   const found = choices.find((one) => one === text.trim().toLowerCase());
   if (found) return found;
-  throw new UsageError(
-    `--${option} is ${shown(text)}, but must be ${choices.slice(0, -1).join(', ')} or ${choices.at(-1)}.`,
-  );
+  const others = choices.length > 1 ? `${choices.slice(0, -1).join(', ')} or ` : '';
+  throw new UsageError(`--${option} is ${shown(text)}, but must be ${others}${choices.at(-1)}.`);
 }
 
 function colour(text: string | undefined): string | undefined {

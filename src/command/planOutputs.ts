@@ -15,13 +15,15 @@ export interface PlannedModel {
  * @param out of the command line: a file, a folder, a name with `{name}` and `{frame}`, or `-` for the standard output
  * @param isFolder whether `out` is an existing folder
  * @param frames per model; undefined for one drawing without a number
- * @throws UsageError if two drawings would have the same path, a drawing that of a model, or a path that does not end in .svg
+ * @param written the format of the files
+ * @throws UsageError if two drawings would have the same path, a drawing that of a model, or a path that does not end as the format does
  */
 export function planOutputs(
   models: readonly string[],
   out: string,
   isFolder: boolean,
   frames: number | undefined,
+  written: 'svg' | 'dxf' = 'svg',
 ): PlannedModel[] {
   if (out === STANDARD) {
     if (models.length === 1 && frames === undefined) return [{ model: models[0], outputs: [STANDARD] }];
@@ -30,7 +32,7 @@ export function planOutputs(
     );
   }
   const hasFrames = frames !== undefined;
-  const pattern = patternOf(out, isFolder || /[\\/]$/.test(out), models.length > 1, hasFrames);
+  const pattern = patternOf(out, isFolder || /[\\/]$/.test(out), models.length > 1, hasFrames, written);
   const digits = String(frames ?? 1).length;
   const planned = models.map((model) => ({
     model,
@@ -61,18 +63,26 @@ export function planOutputs(
 }
 
 /** @param isFolder whether `out` is known to be a folder; for several models, a name without an extension is one too */
-function patternOf(out: string, isFolder: boolean, areSeveral: boolean, hasFrames: boolean): string {
+function patternOf(
+  out: string,
+  isFolder: boolean,
+  areSeveral: boolean,
+  hasFrames: boolean,
+  written: 'svg' | 'dxf',
+): string {
   const isNamed = out.includes('{name}') || (out.includes('{frame}') && hasFrames);
   const ending = isFolder && !isNamed ? '' : extname(out.replaceAll(/\{(name|frame)\}/g, '_'));
-  if (ending !== '' && ending.toLowerCase() !== '.svg')
+  if (ending !== '' && ending.toLowerCase() !== `.${written}`)
     throw new UsageError(
-      `--out is ${out}, but only SVG is written; name a file that ends in .svg, which Inkscape and vpype turn into other formats.`,
+      written === 'dxf'
+        ? `--out is ${out}, but DXF is written; name a file that ends in .dxf.`
+        : `--out is ${out}, but only SVG and DXF are written; name a file that ends in .svg, which Inkscape and vpype turn into other formats.`,
     );
   if (areSeveral && !isNamed && ending !== '')
     throw new UsageError(
-      `--out is ${out}, one file, but there are several models; name a folder, or a file with {name}, as {name}.svg.`,
+      `--out is ${out}, one file, but there are several models; name a folder, or a file with {name}, as {name}.${written}.`,
     );
-  const pattern = (isFolder || areSeveral) && !isNamed ? join(out, '{name}.svg') : out;
+  const pattern = (isFolder || areSeveral) && !isNamed ? join(out, `{name}.${written}`) : out;
   if (!hasFrames || pattern.includes('{frame}')) return pattern;
   const extension = extname(pattern);
   return `${pattern.slice(0, pattern.length - extension.length)}-{frame}${extension}`;

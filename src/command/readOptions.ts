@@ -91,3 +91,6 @@ export function changesBetween(a: string, b: string): number {
   }
   return rows[a.length][b.length];
 }
+
+/** A value for a message, in quotes if it is empty or contains white space. */
+export const shown = (value = ''): string => (/^\S+$/.test(value) ? value : `"${value}"`);

@@ -4,6 +4,8 @@ import type { OutlineLook, OutlineMesh } from './outlines/OutlineMesh.js';
 import type { CameraMatrices } from './Projection.js';
 import type { Clip, Cutout, PaintLook } from './paint/PaintLook.js';
 import type { TranslucentRange } from './paint/Translucency.js';
+import type { PenPlan } from './plot/pens.js';
+import type { PlotterSpeeds } from './plot/plotTime.js';
 import type { Field } from './shading/fieldAxis.js';
 import type { DotLayers, DotSet, DotSize } from './shading/stipple.js';
 import type { Illumination, SurfaceLook } from './ToneReader.js';
@@ -26,6 +28,8 @@ interface DrawnSurface {
   clip: Clip | null;
   /** Such as `#1c1a17`. */
   ink: string;
+  /** The material or part that it belongs to, if these have layers of their own. */
+  group: string;
 }
 
 /** A surface whose lines are engraved. */
@@ -69,6 +73,7 @@ export interface OutlinedMesh {
   /** Null without clipping planes. */
   clip: Clip | null;
   ink: string;
+  group: string;
 }
 
 /** The input of a drawing, as plain data. */
@@ -93,8 +98,8 @@ export interface DrawingPlan {
   width: number;
   height: number;
   margin: number;
-  /** The width of a pen; null for filled outlines whose width is the tone. */
-  pen: number | null;
+  /** The pens of a plotter; null for filled outlines whose width is the tone. */
+  pens: PenPlan | null;
   /** Shorter lines of a pen are omitted. */
   shortest: number;
   /** The width of the thinnest line of a print; 0 for no limit. */
@@ -102,6 +107,11 @@ export interface DrawingPlan {
   /** CSS pixels per inch of the sheet, for the sizes of materials and outlines. */
   dpi: number;
   order: 'travel' | 'drawn';
+  plotter: PlotterSpeeds;
+  /** Whether each pen has a file of its own, too. */
+  isSplit: boolean;
+  /** Whether a DXF file is written, too. */
+  hasDxf: boolean;
   paper: string | null;
   /** Duration of the animation in seconds; null for a still drawing. */
   animate: number | null;

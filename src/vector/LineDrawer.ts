@@ -22,6 +22,7 @@ import { type Clip, isClipped } from './paint/PaintLook.js';
 import { PlaceReader } from './paint/PlaceReader.js';
 import { Translucency, TranslucentTone } from './paint/Translucency.js';
 import { dashes, type LinePath } from './paths/LinePath.js';
+import { type LayerName, type PenPart, partOfLayer } from './plot/pens.js';
 import { readVertices, type Tracing } from './readVertices.js';
 import { subdivide } from './subdivide.js';
 import { ToneReader, VertexTones } from './ToneReader.js';
@@ -29,10 +30,6 @@ import { seenSides, traceFamily } from './traceFamily.js';
 import { type Run, type SeenTest, visibleRuns } from './visibleRuns.js';
 
 const { DASH, FAINT, GAP } = OUTLINE_CONSTANTS;
-
-/** The names of the layers, in order. */
-export const LAYERS = ['outlines', 'lines', 'crossing', 'shadows', 'background', 'hidden'] as const;
-export type LayerName = (typeof LAYERS)[number];
 
 const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
   first: 'lines',
@@ -90,8 +87,13 @@ export interface PathLayer {
   ink: string;
   /** From 0 to 1. */
   opacity: number;
+  /** The material or part that it belongs to, if these have layers of their own. */
+  group: string;
   paths: LinePath[];
 }
+
+/** The width of the pen that draws a part of a drawing in an ink, pixels. */
+type PenWidths = (part: PenPart, ink: string) => number;
 
 /** Draws the lines of a scene into layers, pixels of the picture. */
 export class LineDrawer {
@@ -103,13 +105,13 @@ export class LineDrawer {
   private casters: CastingSphere | null | undefined;
 
   /**
-   * @param pen its width, pixels; null where widths are the tone
+   * @param pens widths of the pens; null where widths are the tone
    * @param least the width of the thinnest line of a print, pixels; 0 for none
    * @param millimetre pixels per millimetre
    */
   constructor(
     private readonly scene: DrawnScene,
-    private readonly pen: number | null,
+    private readonly pens: PenWidths | null,
     private readonly projection: Projection,
     private readonly bvh: Bvh,
     private readonly least = 0,
@@ -126,7 +128,7 @@ export class LineDrawer {
   }
 
   *drawOutlines(): Generator<number, void, void> {
-    const { pen, millimetre } = this;
+    const { pens, millimetre } = this;
     const { outlines: own } = this.scene;
     const seen: LeftPath[] = [];
     const hidden: HiddenPath[] = [];
@@ -138,16 +140,22 @@ export class LineDrawer {
       if (middle === i + 1) continue;
       yield* asPhase(this.drawHidden(outlined, hidden), partAt(middle), partAt(i + 1));
     }
-    const kept = pen === null ? seen : dropShortLines(seen, { shortest: SHORTEST_ALONE * millimetre, near: pen });
+    const kept = pens ? this.joinedOutlines(seen, pens) : seen;
     // A pen would draw edges of parts that touch twice, and dashes on a visible line.
-    const drawn = pen === null ? null : new DrawnOutlines(SAME_LINE * millimetre);
+    const drawn = pens && new DrawnOutlines(SAME_LINE * millimetre);
     const once = (path: LinePath): LinePath[] => (drawn ? drawn.add(path) : [path]);
     for (const one of kept) for (const path of once(one.path)) this.addPath({ ...one, path });
     for (const { layer, path, dash } of hidden)
       for (const piece of once(path)) layer.paths.push(...(dash ? dashes(piece, ...dash) : [piece]));
   }
 
-  private *drawSeen({ mesh, look, clip, ink }: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
+  /** Leaves out short pieces of outlines that meet no others. */
+  private joinedOutlines(seen: readonly LeftPath[], pens: PenWidths): LeftPath[] {
+    const near = Math.max(...seen.map(({ layer }) => pens('outlines', layer.ink)), 0);
+    return dropShortLines(seen, { shortest: SHORTEST_ALONE * this.millimetre, near });
+  }
+
+  private *drawSeen({ mesh, look, clip, ink, group }: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
     const { scene, projection, bvh, least, millimetre } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
@@ -167,19 +175,22 @@ export class LineDrawer {
     }
     loseEdges(parts, { shortest: SHORTEST_ALONE * millimetre, leastHalf: least / 2 });
     for (const { chain, left, runs } of parts) {
-      const layer = this.layerOf('outlines', ink);
+      const layer = this.layerOf('outlines', ink, group);
       for (const { path } of this.cutRuns(chain, runs)) seen.push({ layer, path, left });
     }
   }
 
   /** Finds hidden outlines, for a layer of their own. */
-  private *drawHidden({ mesh, look, clip, ink }: OutlinedMesh, found: HiddenPath[]): Generator<number, void, void> {
+  private *drawHidden(
+    { mesh, look, clip, ink, group }: OutlinedMesh,
+    found: HiddenPath[],
+  ): Generator<number, void, void> {
     const { scene, projection, bvh } = this;
     const even = hiddenLook(look);
     const pieces = yield* asPhase(outlinePieces(mesh, even, true), 0, 0.4);
     weighHidden(pieces);
     const chains = yield* asPhase(outlineChains(pieces, mesh, even, projection, scene.illumination), 0.4, 0.5);
-    const layer = this.layerOf('hidden', ink, look.hidden === 'faint' ? FAINT : 1);
+    const layer = this.layerOf('hidden', ink, group, look.hidden === 'faint' ? FAINT : 1);
     const dash = look.hidden === 'dashed' ? ([DASH * look.width, GAP * look.width] as const) : null;
     for (const [i, chain] of chains.entries()) {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
@@ -215,7 +226,13 @@ export class LineDrawer {
       for (const { faded, left } of yield* this.fadedParts(line, clipped(this.surfaceTest(line), engraved.clip))) {
         const chain = this.asPressHolds(faded, engraved.engraved.technique);
         const isSeen = this.isLeftOf(chain, left, clipped(this.surfaceTest(chain), engraved.clip));
-        const adding = this.addChain(this.layerOf(LAYER_OF[family], engraved.ink), chain, isSeen, left, engraved);
+        const adding = this.addChain(
+          this.layerOf(LAYER_OF[family], engraved.ink, engraved.group),
+          chain,
+          isSeen,
+          left,
+          engraved,
+        );
         yield* asPhase(adding, from, to);
       }
     }
@@ -255,8 +272,9 @@ export class LineDrawer {
 
   /** All lines on a surface, visible or not. Yields its progress. */
   *tracedChains(drawn: EngravedSurface): Generator<number, TracedLine[], void> {
-    const { projection, bvh, pen, scene } = this;
+    const { projection, bvh, pens, scene } = this;
     const { surface, look, turned, paint } = drawn;
+    const pen = pens?.('lines', drawn.ink) ?? null;
     yield* this.dropUnshaded(drawn);
     yield* asPhase(subdivide(surface, projection), 0, 0.08);
     yield* this.dropUnshaded(drawn);
@@ -286,8 +304,9 @@ export class LineDrawer {
 
   *drawBackgrounds(): Generator<number, void, void> {
     for (const background of this.scene.backgrounds) {
-      const paths = yield* backgroundPaths(background, this.projection, this.bvh, this.pen);
-      for (const path of paths) this.layerOf('background', background.ink).paths.push(path);
+      const pen = this.pens?.('background', background.ink) ?? null;
+      const paths = yield* backgroundPaths(background, this.projection, this.bvh, pen);
+      for (const path of paths) this.layerOf('background', background.ink, '').paths.push(path);
     }
   }
 
@@ -302,10 +321,12 @@ export class LineDrawer {
     return line;
   }
 
-  private layerOf(name: LayerName, ink: string, opacity = 1): PathLayer {
-    const known = this.layers.find((one) => one.name === name && one.ink === ink && one.opacity === opacity);
+  private layerOf(name: LayerName, ink: string, group: string, opacity = 1): PathLayer {
+    const known = this.layers.find(
+      (one) => one.name === name && one.ink === ink && one.opacity === opacity && one.group === group,
+    );
     if (known) return known;
-    const layer: PathLayer = { name, ink, opacity, paths: [] };
+    const layer: PathLayer = { name, ink, opacity, group, paths: [] };
     this.layers.push(layer);
     return layer;
   }
@@ -326,9 +347,9 @@ export class LineDrawer {
     left: number,
     surface: EngravedSurface,
   ): Generator<number, void, void> {
-    const { projection, bvh, pen } = this;
+    const { projection, bvh, pens } = this;
     for (const cut of yield* asPhase(this.seenParts(chain, isSeen), 0, 0.7)) {
-      if (pen !== null) this.addPath({ layer, path: cut.path, left });
+      if (pens) this.addPath({ layer, path: cut.path, left });
       else {
         const finer = refineEnds(cut);
         yield* asPhase(limitToSurface(finer, bvh, projection, !surface.hides), 0.7, 1);
@@ -338,10 +359,14 @@ export class LineDrawer {
   }
 
   /** Adds a path, which a pen draws as dashes if it is only partly visible. */
-  private addPath({ layer: { paths }, path, left }: LeftPath): void {
-    const { pen } = this;
-    if (pen === null || left === 1) paths.push(path);
-    else paths.push(...dashes(path, left * FADED_PERIOD * pen, (1 - left) * FADED_PERIOD * pen));
+  private addPath({ layer: { paths, name, ink }, path, left }: LeftPath): void {
+    const { pens } = this;
+    if (!pens || left === 1) {
+      paths.push(path);
+      return;
+    }
+    const period = FADED_PERIOD * pens(partOfLayer(name), ink);
+    paths.push(...dashes(path, left * period, (1 - left) * period));
   }
 
   private *seenParts(chain: Chain, isSeen: SeenTest): Generator<number, CutRun[], void> {
@@ -349,8 +374,8 @@ export class LineDrawer {
   }
 
   private cutRuns(chain: Chain, runs: readonly Run[]): CutRun[] {
-    const { projection, pen } = this;
-    return runs.map((run) => cutRun(chain, run, projection, pen !== null)).filter(({ depths }) => depths.length >= 2);
+    const { projection, pens } = this;
+    return runs.map((run) => cutRun(chain, run, projection, pens !== null)).filter(({ depths }) => depths.length >= 2);
   }
 }
 

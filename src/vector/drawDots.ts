@@ -28,9 +28,10 @@ import { subdivide } from './subdivide.js';
 import { ToneReader } from './ToneReader.js';
 import { seenSides } from './traceFamily.js';
 
-/** The dots of one ink. */
+/** The dots of one ink, and of one material or part if these have layers of their own. */
 export interface DotLayer {
   ink: string;
+  group: string;
   dots: Dot[];
 }
 
@@ -47,9 +48,9 @@ export function* drawDots(
   for (const [i, one] of stippled.entries()) {
     const drawing = dotsOf(one, scene, projection, bvh, translucency, above);
     const dots = yield* asPhase(drawing, i / stippled.length, (i + 1) / stippled.length);
-    const layer = layers.find(({ ink }) => ink === one.ink);
+    const layer = layers.find(({ ink, group }) => ink === one.ink && group === one.group);
     if (layer) for (const dot of dots) layer.dots.push(dot);
-    else layers.push({ ink: one.ink, dots });
+    else layers.push({ ink: one.ink, group: one.group, dots });
   }
   return layers;
 }

@@ -3,11 +3,16 @@ import type { Task } from '../worker/TaskSet.js';
 import { Bvh } from './Bvh.js';
 import type { DrawingPlan, DrawnScene } from './DrawnScene.js';
 import { drawDots } from './drawDots.js';
-import { LAYERS, LineDrawer } from './LineDrawer.js';
+import { LineDrawer } from './LineDrawer.js';
 import { Projection } from './Projection.js';
 import { finishDots } from './paths/finishDots.js';
-import { finishPaths, type PathCounts, type Placement } from './paths/finishPaths.js';
-import { type SVGLayer, writeSVG } from './paths/writeSVG.js';
+import { finishPaths, type PathCounts, type Placement, type WrittenPath } from './paths/finishPaths.js';
+import { type SVGLayer, type SVGSheet, writeSVG } from './paths/writeSVG.js';
+import { type FileLayer, fileLayers } from './plot/penLayers.js';
+import { LAYERS, type PenPart, penWidth, thickestPen } from './plot/pens.js';
+import { plotSeconds } from './plot/plotTime.js';
+import { refills } from './plot/refills.js';
+import { writeDxf } from './plot/writeDxf.js';
 
 /** The phases of a drawing, in order. */
 const PHASES = ['building', 'outlines', 'surfaces', 'backgrounds', 'dots', 'finishing'] as const;
@@ -39,9 +44,28 @@ function drawingPhases(scene: DrawnScene): Record<DrawingPhase, readonly [from: 
   return Object.fromEntries(spans) as Record<DrawingPhase, readonly [number, number]>;
 }
 
+/** A layer of a drawing. Lengths in millimetres. */
+export interface DrawnLayer extends PathCounts {
+  /** As in the file, without its number. */
+  name: string;
+  /** Such as `#1c1a17`. */
+  ink: string;
+  /** The width of the pen; null where paths are filled. */
+  pen: number | null;
+  /** The estimated time of plotting, seconds; null where paths are filled. */
+  plotSeconds: number | null;
+}
+
 /** A drawing with its statistics. */
 export interface LineDrawing extends PathCounts {
   svg: string;
+  /** A file for each pen, if asked for. */
+  files: readonly { name: string; svg: string }[];
+  /** The drawing in DXF, if asked for. */
+  dxf: string | null;
+  layers: readonly DrawnLayer[];
+  /** The estimated time of plotting, seconds, without changes of pens; null where paths are filled. */
+  plotSeconds: number | null;
   /** Traced pieces of lines, before hidden ones were removed. */
   segments: number;
 }
@@ -53,37 +77,106 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   const { projection, placement } = placePicture(scene, plan);
   const phases = drawingPhases(scene);
   const bvh = yield* asPhase(Bvh.build(scene.corners, scene.sides, scene.cutouts), ...phases.building);
-  const pen = plan.pen === null ? null : plan.pen / placement.scale;
-  const least = pen === null ? plan.leastWidth / placement.scale : 0;
-  const drawer = new LineDrawer(scene, pen, projection, bvh, least, 1 / placement.scale);
+  const { pens } = plan;
+  const { scale } = placement;
+  const widths = pens && ((part: PenPart, ink: string) => penWidth(pens, part, ink) / scale);
+  const least = pens === null ? plan.leastWidth / scale : 0;
+  const drawer = new LineDrawer(scene, widths, projection, bvh, least, 1 / scale);
   yield* asPhase(drawer.drawOutlines(), ...phases.outlines);
   yield* asPhase(drawer.drawSurfaces(), ...phases.surfaces);
   yield* asPhase(drawer.drawBackgrounds(), ...phases.backgrounds);
-  const stippled = yield* asPhase(drawDots(scene, projection, bvh, drawer.translucency, drawer.above), ...phases.dots);
-  const layers = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
-  const [from, to] = phases.finishing;
-  const middle = scene.stippled.length > 0 ? 0.5 * (from + to) : to;
-  const { written, counts } = yield* asPhase(finishPaths(layers, plan, projection, placement), from, middle);
-  const named = layers.map(({ name, ink, opacity }, i): SVGLayer => {
-    const isAlone = layers.filter((layer) => layer.name === name).length === 1;
-    return { name: isAlone ? name : `${name} ${ink}`, ink, opacity, paths: written[i] };
-  });
-  for (const { ink, dots } of stippled) {
-    const finished = yield* asPhase(finishDots(dots, plan, placement), middle, to);
-    const name = stippled.length === 1 ? 'stipple' : `stipple ${ink}`;
-    named.push({ name, ink, opacity: 1, paths: finished.written });
-    for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += finished.counts[name];
+  const dots = yield* asPhase(drawDots(scene, projection, bvh, drawer.translucency, drawer.above), ...phases.dots);
+  const lines = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
+  const finishing = finishLayers(fileLayers(lines, dots, pens), plan, projection, placement);
+  const finished = yield* asPhase(finishing, ...phases.finishing);
+  return { ...written(finished, plan, projection, placement), segments: drawer.segments };
+}
+
+/** A layer with its paths as they are written. */
+interface FinishedLayer {
+  layer: FileLayer;
+  written: readonly WrittenPath[];
+  counts: PathCounts;
+}
+
+function* finishLayers(
+  layers: readonly FileLayer[],
+  { shortest, order }: DrawingPlan,
+  projection: Projection,
+  placement: Placement,
+): Generator<number, FinishedLayer[], void> {
+  const finished: FinishedLayer[] = [];
+  for (const [i, layer] of layers.entries()) {
+    const finish = { pen: layer.pen, shortest, order, placement };
+    const finishing = layer.dots ? finishDots(layer.dots, finish) : finishPaths(layer.paths, finish, projection);
+    const { written, counts } = yield* asPhase(finishing, i / layers.length, (i + 1) / layers.length);
+    if (written.length > 0) finished.push({ layer, written, counts });
   }
-  const { left: x, top: y, scale } = placement;
+  return finished;
+}
+
+const NOTHING: PathCounts = { paths: 0, points: 0, travelBefore: 0, travelAfter: 0, drawn: 0 };
+
+function written(
+  finished: readonly FinishedLayer[],
+  plan: DrawingPlan,
+  projection: Projection,
+  { left: x, top: y, scale }: Placement,
+): Omit<LineDrawing, 'segments'> {
+  const { pens, plotter } = plan;
   const [width, height] = [scale * projection.width, scale * projection.height];
   const picture = plan.picture === null ? null : { url: plan.picture, x, y, width, height };
-  return { svg: writeSVG({ ...plan, picture }, named), segments: drawer.segments, ...counts };
+  const counts = { ...NOTHING };
+  const layers = finished.map(({ layer: { name, ink, pen, speed }, written, counts }): DrawnLayer => {
+    return { name, ink, pen, ...counts, plotSeconds: pen === null ? null : plotSeconds(written, plotter, speed) };
+  });
+  for (const layer of layers)
+    for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += layer[name];
+  const isPerPen = pens !== null && pens.layers !== 'layer';
+  const svgLayers = finished.flatMap(({ layer, written }) =>
+    refills(written, pens?.refill ?? null).map(
+      (paths, part): SVGLayer => ({
+        ...{ name: layer.name, ink: layer.ink, opacity: layer.opacity, pen: layer.pen, paths },
+        codes: [part > 0 ? '!' : '', `${layer.speed === null ? '' : `+S${layer.speed}`}${isPerPen ? ' -' : ''}`],
+      }),
+    ),
+  );
+  const svg = writeSVG({ ...plan, picture }, isPerPen ? pausing(svgLayers) : svgLayers);
+  return {
+    svg,
+    files: plan.isSplit ? filesOf(svgLayers, { ...plan, picture }) : [],
+    dxf: plan.hasDxf ? writeDxf(plan.height, finished) : null,
+    layers,
+    plotSeconds: pens && layers.reduce((sum, layer) => sum + layer.plotSeconds!, 0),
+    ...counts,
+  };
+}
+
+/** Layers that begin with a pause where another pen is needed than for the one before. */
+const pausing = (layers: readonly SVGLayer[]): SVGLayer[] =>
+  layers.map((layer, i) => {
+    const before = layers[i - 1] ?? layer;
+    const isOther = before.ink !== layer.ink || before.pen !== layer.pen;
+    return isOther ? { ...layer, codes: ['!', layer.codes?.[1] ?? ''] } : layer;
+  });
+
+/** A file for each pen. */
+function filesOf(layers: readonly SVGLayer[], sheet: SVGSheet): { name: string; svg: string }[] {
+  const byPen = new Map<string, SVGLayer[]>();
+  for (const layer of layers) {
+    const name = `${layer.ink} ${layer.pen}`;
+    byPen.set(name, [...(byPen.get(name) ?? []), layer]);
+  }
+  return [...byPen.values()].map((all) => ({
+    name: all.length === 1 ? all[0].name : `${all[0].ink} ${all[0].pen}`,
+    svg: writeSVG(sheet, all),
+  }));
 }
 
 /** Fits the picture of the camera into the middle of the sheet, within the margin. */
 function placePicture({ camera }: DrawnScene, plan: DrawingPlan): { projection: Projection; placement: Placement } {
   // The middle of a stroke keeps this distance from the edge, so that all of it lies on the sheet.
-  const margin = Math.max(plan.margin, (plan.pen ?? 0) / 2);
+  const margin = Math.max(plan.margin, plan.pens ? thickestPen(plan.pens) / 2 : 0);
   const aspect = camera.projection[5] / camera.projection[0];
   const height = Math.min(plan.height - 2 * margin, (plan.width - 2 * margin) / aspect);
   const width = height * aspect;

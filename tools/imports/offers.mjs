@@ -120,6 +120,8 @@ export const OFFERS = {
     'exposure/ExposureFit.ts',
     'exposure/LightsAround.ts',
     'exposure/openToLamps.ts',
+    'exposure/pixelColors.ts',
+    'exposure/surfaceSamples.ts',
     'exposure/ToneFit.ts',
     'fading/fading.ts',
     'fading/SceneExtent.ts',
@@ -187,7 +189,7 @@ export const OFFERS = {
     'levelMaker.ts',
     'lighting/flatteringLight.ts',
   ],
-  vector: ['svg/sheetSizes.ts'],
+  vector: ['plot/pens.ts', 'plot/plotTime.ts', 'svg/sheetSizes.ts'],
   viewer: [
     'drawing/bakeFurther.ts',
     'drawing/bakeMesh.ts',

@@ -2,7 +2,7 @@ import { openAsBlob } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { totalmem } from 'node:os';
 import { basename, dirname } from 'node:path';
-import { MathUtils, type Mesh } from 'three';
+import { Color, MathUtils, type Mesh } from 'three';
 import type { HatchingMaterial } from 'three-hatching';
 import { drawSVG } from 'three-hatching/svg';
 import { loadSimplifier, simplifierOf } from '../../mesh/detail/loadSimplifier.js';
@@ -48,6 +48,7 @@ export async function drawModel(
   signal: AbortSignal = new AbortController().signal,
 ): Promise<boolean> {
   const name = basename(path);
+  checkPens(options);
   const progress = (stage: string, share: number): void => say({ kind: 'progress', stage, progress: share });
   const note = (sentence: string): void => say({ kind: 'note', sentence });
   const surroundings = new NodeSurroundings(dirname(path));
@@ -78,6 +79,14 @@ export async function drawModel(
   const isWhole = tellPictures(name, model, read, surroundings, note);
   await drawFrames(model, staged, options, name, { say, progress, note, signal });
   return isWhole;
+}
+
+/** @throws ModelError if a pen has no colour */
+function checkPens({ pens }: DrawingOptions): void {
+  if (typeof pens !== 'object') return;
+  for (const { color } of pens)
+    if (!/^#/.test(String(color)) && !Object.hasOwn(Color.NAMES, String(color)))
+      throw new ModelError(`--pens has the colour ${color}, which is not a colour of CSS, such as navy or #d33.`);
 }
 
 async function contentOf(path: string, content: Uint8Array | undefined): Promise<Blob> {
@@ -238,7 +247,7 @@ async function drawFrames(
     signal: AbortSignal;
   },
 ): Promise<void> {
-  const { kind, pen, shortest, margin, dpi, paper, order, hidden, animate } = options;
+  const { kind, pen, pens, refill, isSplit, written, shortest, margin, dpi, paper, order, hidden, animate } = options;
   const told = new Set<string>();
   for (let frame = 0; frame < frames; frame++) {
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
@@ -246,9 +255,10 @@ async function drawFrames(
     scene.updateMatrixWorld();
     placeLights();
     const stage = frames === 1 ? 'drawing' : `drawing frame ${frame + 1} of ${frames}`;
-    const { svg, leftOut, ...counts } = await drawSVG(scene, placed.camera, {
+    const { svg, files, dxf, leftOut, ...counts } = await drawSVG(scene, placed.camera, {
       ...{ kind, sheet, margin, dpi, order, hidden, animate },
-      ...(kind === 'pen' && { penWidth: pen, shortest }),
+      ...(kind === 'pen' && { penWidth: pen, pens, refill, shortest, dxf: written === 'dxf' }),
+      ...(isSplit && { split: 'pen' }),
       ...(paper !== undefined && { paper }),
       signal: to.signal,
       onProgress: (share) => to.progress(stage, BAKED + (1 - BAKED) * ((frame + share) / frames)),
@@ -259,13 +269,20 @@ async function drawFrames(
     for (const reason of fresh) told.add(reason);
     for (const reason of fresh.slice(0, NAMED)) to.note(`${name}: ${reason}`);
     if (fresh.length > NAMED) to.note(`${name}: the same applies to ${fresh.length - NAMED} more.`);
-    to.say({ kind: 'drawing', frame, svg, counts: countsOf(counts) });
+    const texts = isSplit
+      ? files.map(({ name, svg: text }, i) => ({ ending: `${i + 1}-${plainName(name)}`, text }))
+      : [{ ending: '', text: dxf ?? svg }];
+    to.say({ kind: 'drawing', frame, texts, counts: countsOf(counts) });
   }
 }
 
-const countsOf = ({ paths, drawn, travelBefore, travelAfter }: DrawingCounts): DrawingCounts => ({
-  ...{ paths, drawn, travelBefore, travelAfter },
+const countsOf = ({ paths, drawn, travelBefore, travelAfter, plotSeconds, layers }: DrawingCounts): DrawingCounts => ({
+  ...{ paths, drawn, travelBefore, travelAfter, plotSeconds },
+  layers: layers.map(({ name, paths, drawn, plotSeconds }) => ({ name, paths, drawn, plotSeconds })),
 });
+
+/** A name of a layer as part of a file's name. */
+const plainName = (name: string): string => name.replaceAll(/[^\p{L}\p{N}.#_-]+/gu, '-').slice(0, 60);
 
 /**
  * Bytes per triangle until its lines are written, with form lines and dark hollows. Measured on scans of one and of three million

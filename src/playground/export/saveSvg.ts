@@ -1,5 +1,5 @@
 import { needsMap } from 'three-hatching/facts';
-import { drawSVG, type SVGDrawing } from 'three-hatching/svg';
+import { drawSVG, plottingTime, type SVGDrawing } from 'three-hatching/svg';
 import { materialLook } from '../../viewer/settings/materialLook.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawPicture, type PrintPlan, planSvg, printablePlan } from '../print/print.js';
@@ -44,10 +44,16 @@ export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =
     download(new Blob([drawing.svg], { type: 'image/svg+xml' }), `${name}.svg`);
     const size = `${sheet.map(Math.round).join(' × ')} mm, ${drawing.paths.toLocaleString('en')} paths`;
     return [
-      `Saved as SVG${SAVED[strokes]}: ${size}${printed ? `, ${Math.round(printed.dpi)} dpi` : ''}.`,
+      `Saved as SVG${SAVED[strokes]}: ${size}${printed ? `, ${Math.round(printed.dpi)} dpi` : ''}${plotting(drawing)}.`,
       ...remarks,
     ].join(' ');
   });
+
+/** How long the lines of a pen are, and how long an AxiDraw takes for them. */
+function plotting({ drawn, plotSeconds }: SVGDrawing): string {
+  if (plotSeconds === null) return '';
+  return `, ${(drawn / 1000).toFixed(1)} m of line, ${plottingTime(plotSeconds)} on an AxiDraw`;
+}
 
 const NO_LINES_OF_MAPS = 'there are no lines: the strokes come from a map, which a pen cannot draw.';
 

@@ -1,7 +1,6 @@
 import { asPhase } from '../../mesh/phases.js';
-import type { DrawingPlan } from '../DrawnScene.js';
 import type { Dot } from '../drawDots.js';
-import type { PathCounts, Placement, WrittenPath } from './finishPaths.js';
+import type { Finish, PathCounts, WrittenPath } from './finishPaths.js';
 import { asDrawn, orderPaths, travelOf } from './orderPaths.js';
 
 /** Smallest dot that a pen draws, as a share of its width; dots up to the width are drawn as large as that. */
@@ -13,8 +12,7 @@ const SQUARE = 10;
 /** Orders dots and writes them as path data: lines of a pen, discs of a print. Yields its progress. */
 export function* finishDots(
   dots: readonly Dot[],
-  { pen, order }: DrawingPlan,
-  { scale, left, top }: Placement,
+  { pen, order, placement: { scale, left, top } }: Pick<Finish, 'pen' | 'order' | 'placement'>,
 ): Generator<number, { written: WrittenPath[]; counts: PathCounts }, void> {
   const circles = dots
     .filter(({ radius }) => pen === null || 2 * radius * scale >= LEAST_IN_PENS * pen)
@@ -23,8 +21,7 @@ export function* finishDots(
   const isOrdered = order === 'travel' && pen !== null;
   const steps = isOrdered ? yield* asPhase(orderPaths(ends), 0, 1) : asDrawn(ends);
   const rings = steps.map(({ path }) => (pen === null ? discRing(circles[path]) : penDotRing(circles[path], pen)));
-  const data = rings.map(ringData);
-  const written = pen === null ? joinedBySquares(circles, data) : data;
+  const written = pen === null ? joinedBySquares(circles, rings) : rings.map(penDot);
   const drawn = rings.reduce((sum, ring) => sum + ringLength(ring), 0);
   const counts: PathCounts = {
     paths: written.length,
@@ -35,18 +32,27 @@ export function* finishDots(
   };
   // Dots appear one by one, each in its share of the time.
   const length = drawn / Math.max(written.length, 1);
-  return { written: written.map((text) => ({ data: text, length, way: [1, 0] })), counts };
+  return { written: written.map((path) => ({ ...path, length })), counts };
 }
 
-function joinedBySquares(circles: readonly Dot[], data: readonly string[]): string[] {
-  const squares = new Map<string, string[]>();
+const penDot = (ring: DotRing): WrittenPath => ({
+  ...{ data: ringData(ring), length: 0, start: ring[0], end: ring[0], way: TO_THE_RIGHT },
+  line: { points: ring.flat(), isClosed: true },
+});
+
+const TO_THE_RIGHT = [1, 0] as const;
+
+function joinedBySquares(circles: readonly Dot[], rings: readonly DotRing[]): WrittenPath[] {
+  const squares = new Map<string, { start: DotRing[number]; data: string[] }>();
   for (const [i, { x, y }] of circles.entries()) {
     const key = `${Math.floor(x / SQUARE)} ${Math.floor(y / SQUARE)}`;
     const square = squares.get(key);
-    if (square) square.push(data[i]);
-    else squares.set(key, [data[i]]);
+    if (square) square.data.push(ringData(rings[i]));
+    else squares.set(key, { start: rings[i][0], data: [ringData(rings[i])] });
   }
-  return [...squares.values()].map((paths) => paths.join(''));
+  return [...squares.values()].map(({ start, data }) => ({
+    ...{ data: data.join(''), length: 0, start, end: start, way: TO_THE_RIGHT, line: null },
+  }));
 }
 
 /** Corners of a closed polyline, millimetres. */

@@ -1,5 +1,4 @@
 import { asPhase } from '../../mesh/phases.js';
-import type { DrawingPlan } from '../DrawnScene.js';
 import type { Projection } from '../Projection.js';
 import { joinPaths } from './joinPaths.js';
 import { type LinePath, PATH_STRIDE, pathLength, reversedPoints, simplify } from './LinePath.js';
@@ -19,9 +18,15 @@ export interface PathCounts {
 export interface WrittenPath {
   /** Path data, millimetres. */
   data: string;
-  /** Its length, and the vector from its start to its end, millimetres. */
+  /** Its length, millimetres. */
   length: number;
+  /** Where it begins, and where a pen is lifted after it, millimetres. */
+  start: readonly [x: number, y: number];
+  end: readonly [x: number, y: number];
+  /** The vector from its first point to its last, millimetres. */
   way: readonly [dx: number, dy: number];
+  /** The line of a pen, x and y of each point in millimetres; null for a filled path. A closed one does not repeat its first point. */
+  line: { points: readonly number[]; isClosed: boolean } | null;
 }
 
 /** Precision of paths, millimetres. */
@@ -32,51 +37,61 @@ const SHORTEST_DASH_IN_PENS = 2;
 /** A pen goes on from one line to the next across gaps up to this one, millimetres. */
 const JOINED = 0.1;
 
-/** Simplifies, orders and writes the paths of layers. Yields its progress. */
+/** The way in which the paths of a layer are finished. Lengths in millimetres. */
+export interface Finish {
+  /** The width of the pen; null for filled outlines. */
+  pen: number | null;
+  /** Shorter lines of a pen are omitted. */
+  shortest: number;
+  order: 'travel' | 'drawn';
+  placement: Placement;
+}
+
+/** Joins, simplifies, orders and writes the paths of a layer. Yields its progress. */
 export function* finishPaths(
-  layers: readonly { paths: readonly LinePath[] }[],
-  plan: DrawingPlan,
+  paths: readonly LinePath[],
+  { pen, shortest, order: wanted, placement }: Finish,
   projection: Projection,
-  placement: Placement,
-): Generator<number, { written: WrittenPath[][]; counts: PathCounts }, void> {
-  const counts: PathCounts = { paths: 0, points: 0, travelBefore: 0, travelAfter: 0, drawn: 0 };
-  const written: WrittenPath[][] = [];
-  const { scale } = placement;
-  const { pen } = plan;
-  const shortest = ({ isDash }: LinePath): number =>
-    pen === null ? SHORTEST : isDash ? SHORTEST_DASH_IN_PENS * pen : plan.shortest;
-  for (const [i, layer] of layers.entries()) {
-    const kept: LinePath[] = [];
-    const [from, to] = [i / layers.length, (i + 1) / layers.length];
-    const inked = layer.paths.filter(hasInk);
-    const joined = pen === null ? inked : joinPaths(inked, JOINED / scale);
-    for (const [k, path] of joined.entries()) {
-      if (k % 16 === 15) yield from + (0.3 * (to - from) * k) / joined.length;
-      if (pathLength(path) * scale < shortest(path)) continue;
-      kept.push(simplify(path, TOLERANCE / scale));
-    }
-    const ends = kept.map((path) => endsOf(path, placement));
-    const order =
-      plan.order === 'drawn'
-        ? asDrawn(ends)
-        : yield* asPhase(orderPaths(ends), from + 0.3 * (to - from), from + 0.7 * (to - from));
-    counts.travelBefore += travelOf(ends, asDrawn(ends));
-    counts.travelAfter += travelOf(ends, order);
-    const done: WrittenPath[] = [];
-    for (const [k, step] of order.entries()) {
-      if (k % 16 === 15) yield from + (0.7 + (0.3 * k) / order.length) * (to - from);
-      const path = turned(kept[step.path], step);
-      const text = dataOf(path, plan, projection, placement);
-      if (text === '') continue;
-      const length = pathLength(path) * scale;
-      const last = path.points.length - PATH_STRIDE;
-      const way = [0, 1].map((axis) => scale * (path.points[last + axis] - path.points[axis]));
-      done.push({ data: text, length, way: way as [number, number] });
-      counts.paths++;
-      counts.points += path.points.length / PATH_STRIDE;
-      counts.drawn += length;
-    }
-    written.push(done);
+): Generator<number, { written: WrittenPath[]; counts: PathCounts }, void> {
+  const { scale, left, top } = placement;
+  const leastOf = ({ isDash }: LinePath): number =>
+    pen === null ? SHORTEST : isDash ? SHORTEST_DASH_IN_PENS * pen : shortest;
+  const kept: LinePath[] = [];
+  const inked = paths.filter(hasInk);
+  const joined = pen === null ? inked : joinPaths(inked, JOINED / scale);
+  for (const [k, path] of joined.entries()) {
+    if (k % 16 === 15) yield (0.3 * k) / joined.length;
+    if (pathLength(path) * scale < leastOf(path)) continue;
+    kept.push(simplify(path, TOLERANCE / scale));
+  }
+  const ends = kept.map((path) => endsOf(path, placement));
+  const order = wanted === 'drawn' ? asDrawn(ends) : yield* asPhase(orderPaths(ends), 0.3, 0.7);
+  const written: WrittenPath[] = [];
+  const counts: PathCounts = {
+    ...{ paths: 0, points: 0, drawn: 0 },
+    travelBefore: travelOf(ends, asDrawn(ends)),
+    travelAfter: travelOf(ends, order),
+  };
+  for (const [k, step] of order.entries()) {
+    if (k % 16 === 15) yield 0.7 + (0.3 * k) / order.length;
+    const { points, isClosed } = turned(kept[step.path], step);
+    const xy = points.filter((_, i) => i % PATH_STRIDE < 2);
+    const data =
+      pen === null ? filledData({ points, isClosed }, projection, placement) : pathData(xy, isClosed, placement);
+    if (data === '') continue;
+    const onSheet = xy.map((value, i) => (i % 2 === 0 ? left : top) + scale * value);
+    const start: WrittenPath['start'] = [onSheet[0], onSheet[1]];
+    const last: WrittenPath['end'] = [onSheet[onSheet.length - 2], onSheet[onSheet.length - 1]];
+    const length = pathLength({ points, isClosed }) * scale;
+    written.push({
+      ...{ data, length, start },
+      end: isClosed ? start : last,
+      way: [last[0] - start[0], last[1] - start[1]],
+      line: pen === null ? null : { points: onSheet, isClosed },
+    });
+    counts.paths++;
+    counts.points += points.length / PATH_STRIDE;
+    counts.drawn += length;
   }
   return { written, counts };
 }
@@ -97,18 +112,11 @@ function endsOf({ points, isClosed }: LinePath, { scale, left, top }: Placement)
 const turned = (path: LinePath, { isReversed }: OrderedPath): LinePath =>
   isReversed ? { points: reversedPoints(path.points), isClosed: path.isClosed } : path;
 
-/** The path data of a path; empty if nothing of it is drawn. */
-function dataOf(path: LinePath, { pen }: DrawingPlan, { width, height }: Projection, placement: Placement): string {
-  if (pen !== null)
-    return pathData(
-      path.points.filter((_, i) => i % PATH_STRIDE < 2),
-      path.isClosed,
-      placement,
-    );
-  return strokeOutline(path)
+/** The path data of the outline of a path; empty if nothing of it is drawn. */
+const filledData = (path: LinePath, { width, height }: Projection, placement: Placement): string =>
+  strokeOutline(path)
     .map((ring) => pathData(clipRing(ring, width, height), true, placement))
     .join('');
-}
 
 /** Coordinates are written in hundredths of a millimetre. */
 const PER_MILLIMETRE = 100;

@@ -9,6 +9,10 @@ export interface SVGLayer {
   opacity: number;
   /** In the order of drawing. */
   paths: readonly WrittenPath[];
+  /** The width of the pen, millimetres; null where paths are filled. */
+  pen: number | null;
+  /** Codes of the AxiDraw's software: before the number of the layer, and after it. */
+  codes?: readonly [before: string, after: string];
 }
 
 /** The sheet and the style of drawing. */
@@ -20,8 +24,6 @@ export interface SVGSheet {
   paper: string | null;
   /** A picture below all layers, with its position and size in millimetres; null for none. */
   picture: { url: string; x: number; y: number; width: number; height: number } | null;
-  /** The width of the pen, millimetres; null where paths are filled. */
-  pen: number | null;
   /** Duration of the animation in seconds; null for a still drawing. */
   animate: number | null;
 }
@@ -32,10 +34,7 @@ const INKSCAPE = 'http://www.inkscape.org/namespaces/inkscape';
 const millimetres = (value: number): string => String(Number(value.toFixed(3)));
 
 /** Writes a drawing as an SVG document. Empty layers are omitted, and the others numbered, as programs for plotters require. */
-export function writeSVG(
-  { width, height, paper, picture, pen, animate }: SVGSheet,
-  layers: readonly SVGLayer[],
-): string {
+export function writeSVG({ width, height, paper, picture, animate }: SVGSheet, layers: readonly SVGLayer[]): string {
   const [w, h] = [millimetres(width), millimetres(height)];
   const lines = [
     `<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="${INKSCAPE}" width="${w}mm" height="${h}mm" viewBox="0 0 ${w} ${h}">`,
@@ -48,19 +47,26 @@ export function writeSVG(
     lines.push(`<image x="${x}" y="${y}" ${size} preserveAspectRatio="none" href="${picture.url}"/>`, '</g>');
   }
   const drawn = layers.flatMap(({ paths }) => paths).reduce((sum, { length }) => sum + length, 0);
-  const clock = animate === null ? null : new AnimationClock(animate, drawn, pen !== null);
-  if (clock) lines.push(animationRules(pen !== null));
-  for (const [i, { name, ink, opacity, paths }] of layers.filter((layer) => layer.paths.length > 0).entries()) {
+  const isPen = layers.some(({ pen }) => pen !== null);
+  const clock = animate === null ? null : new AnimationClock(animate, drawn, isPen);
+  if (clock) lines.push(animationRules(isPen));
+  for (const [i, layer] of layers.filter(({ paths }) => paths.length > 0).entries()) {
+    const { name, ink, opacity, paths, pen, codes = ['', ''] } = layer;
     const look =
       pen === null
         ? `fill="${ink}"${opacity < 1 ? ` opacity="${opacity}"` : ''}`
         : `fill="none" stroke="${ink}" stroke-width="${millimetres(pen)}" stroke-linecap="round" stroke-linejoin="round"`;
-    lines.push(`<g id="layer${i + 1}" inkscape:groupmode="layer" inkscape:label="${i + 1} ${name}" ${look}>`);
+    const label = escaped(`${codes[0]}${i + 1}${codes[1]} ${name}`);
+    lines.push(`<g id="layer${i + 1}" inkscape:groupmode="layer" inkscape:label="${label}" ${look}>`);
     for (const path of paths) lines.push(`<path d="${path.data}"${clock?.attributesOf(path) ?? ''}/>`);
     lines.push('</g>');
   }
   return `${[...lines, '</svg>'].join('\n')}\n`;
 }
+
+/** A text as the value of an attribute. Characters that XML does not know are left out. */
+const escaped = (text: string): string =>
+  text.replace(/[\p{Cc}\p{Cs}\uFFFE\uFFFF]/gu, '').replace(/[&<>"]/g, (found) => `&#${found.charCodeAt(0)};`);
 
 /** Shortest time in which a filled path appears, and in which a stroke does, seconds. */
 const SHORTEST = 0.15;

@@ -4,6 +4,8 @@ import { checkNumber } from '../../material/checkNumber.js';
 import { checkColor } from '../../material/checkProperty.js';
 import { checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import type { DrawingPlan } from '../DrawnScene.js';
+import { PEN_LAYERS, PEN_PARTS, type Pen, type PenLayers, type PenPart, type PenPlan } from '../plot/pens.js';
+import { PLOTTERS, type PlotterSpeeds } from '../plot/plotTime.js';
 import { isSide, lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';
 
 /** Default duration of an animated drawing. */
@@ -23,8 +25,24 @@ export interface DrawSVGOptions extends TaskOptions {
   sheet?: SheetName | (string & {}) | readonly [width: number, height: number] | undefined;
   /** The blank margin around the picture, 0 or more. Default: 10. */
   margin?: number | undefined;
-  /** The width of the pen, above 0, with `kind: 'pen'`. Default: 0.3. */
-  penWidth?: number | undefined;
+  /**
+   * The width of the pen, above 0, with `kind: 'pen'`; or a width for some of `outlines`, `hidden` outlines, `lines`, `background` and `dots`.
+   * Default: 0.3.
+   */
+  penWidth?: number | Readonly<Partial<Record<PenPart, number>>> | undefined;
+  /**
+   * With `kind: 'pen'`, what has a layer of its own: each kind of lines (`'layer'`), each `'ink'`, `'material'` or `'part'`, which is a mesh by its name; or the pens
+   * of the plotter, to whose colours those of surfaces and inks are matched: each pen has a layer, which begins with a pause. Default: `'layer'`.
+   */
+  pens?: PenLayers | readonly PlotterPen[] | undefined;
+  /** Metres of line after which a layer pauses, so that the pen can be filled, above 0, with `kind: 'pen'`. Default: never. */
+  refill?: number | undefined;
+  /** The plotter whose time is estimated, with `kind: 'pen'`: a name or its speeds. Default: `'axidraw'`. */
+  plotter?: keyof typeof PLOTTERS | PlotterSpeeds | undefined;
+  /** `'pen'`: the result has a file for each pen, too, with `kind: 'pen'`. Default: none. */
+  split?: 'pen' | undefined;
+  /** Whether the result has the drawing in DXF, too, with `kind: 'pen'`. Default: false. */
+  dxf?: boolean | undefined;
   /**
    * With `kind: 'pen'`, lines shorter than this are left out, 0 or more: each would take the pen a lift. Dashes are lines of their own. Default:
    * 1.
@@ -68,11 +86,38 @@ export interface DrawSVGOptions extends TaskOptions {
   clippingPlanes?: readonly Plane[] | undefined;
 }
 
+/** A pen of a plotter. */
+export interface PlotterPen {
+  color: ColorRepresentation;
+  /** Millimetres, above 0. Default: that of `penWidth`. */
+  width?: number | undefined;
+  /** Default: the colour, if it is a text. */
+  name?: string | undefined;
+  /** Percent of the greatest speed, from 1 to 100. Default: the setting of the plotter. */
+  speed?: number | undefined;
+}
+
+/** Options that only a plotter's drawing has. */
+const FOR_PENS = {
+  penWidth: 'Leave it out, or draw with a pen',
+  shortest: 'A print has no lifts',
+  pens: 'A print has an ink for each layer',
+  refill: 'A print needs no ink again',
+  plotter: 'A print takes no time to plot',
+  split: 'A print has no pens',
+  dxf: 'A print is made of areas',
+} as const;
+
 const NAMES = {
   kind: true,
   sheet: true,
   margin: true,
   penWidth: true,
+  pens: true,
+  refill: true,
+  plotter: true,
+  split: true,
+  dxf: true,
   shortest: true,
   leastWidth: true,
   dpi: true,
@@ -101,10 +146,8 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
     throw new TypeError("drawSVG: shadows must be true, 'soft', 'hard' or false, or left out.");
   checkPlanes(options.clippingPlanes ?? []);
   const isPen = kind === 'pen';
-  if (!isPen && options.penWidth !== undefined)
-    throw new TypeError("drawSVG: penWidth is only for kind: 'pen'. Leave it out, or draw with a pen.");
-  if (!isPen && options.shortest !== undefined)
-    throw new TypeError("drawSVG: shortest is only for kind: 'pen'. A print has no lifts.");
+  for (const [name, why] of Object.entries(FOR_PENS) as [keyof typeof FOR_PENS, string][])
+    if (!isPen && options[name] !== undefined) throw new TypeError(`drawSVG: ${name} is only for kind: 'pen'. ${why}.`);
   if (isPen && options.leastWidth !== undefined)
     throw new TypeError("drawSVG: leastWidth is only for kind: 'print'. A pen has one width.");
   if (isPen && paper !== null)
@@ -117,7 +160,10 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
     throw new RangeError(`drawSVG: a margin of ${margin} mm leaves nothing of a sheet of ${width} × ${height} mm.`);
   return {
     ...{ width, height, margin, order },
-    pen: isPen ? checkNumber('penWidth', options.penWidth ?? 0.3, { above: 0 }, 'drawSVG') : null,
+    pens: isPen ? pensOf(options) : null,
+    plotter: plotterOf(options.plotter ?? 'axidraw'),
+    isSplit: isSplit(options.split),
+    hasDxf: checkBoolean('dxf', options.dxf ?? false),
     shortest: checkNumber('shortest', options.shortest ?? 1, { from: 0 }, 'drawSVG'),
     leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0, to: 2400 }, 'drawSVG'),
@@ -125,6 +171,78 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
     paper: paper === null ? null : `#${new Color(paper).getHexString()}`,
     picture,
   };
+}
+
+/** The width of a pen, millimetres. */
+const PEN_WIDTH = 0.3;
+
+const checkWidth = (name: string, width: number): number => checkNumber(name, width, { above: 0 }, 'drawSVG');
+
+function pensOf({ penWidth = PEN_WIDTH, pens = 'layer', refill }: DrawSVGOptions): PenPlan {
+  const widths = widthsOf(penWidth);
+  const listed = typeof pens === 'string' ? [] : listedPens(pens, widths.lines);
+  if (typeof pens === 'string') checkChoice('pens', pens, PEN_LAYERS);
+  return {
+    layers: typeof pens === 'string' ? pens : 'pen',
+    pens: listed,
+    widths,
+    refill: refill === undefined ? null : 1000 * checkNumber('refill', refill, { above: 0 }, 'drawSVG'),
+  };
+}
+
+function widthsOf(penWidth: NonNullable<DrawSVGOptions['penWidth']>): Record<PenPart, number> {
+  const given = typeof penWidth === 'object' && penWidth !== null ? penWidth : null;
+  for (const name of Object.keys(given ?? {})) checkChoice('a part of penWidth', name, PEN_PARTS);
+  const widthOf = (part: PenPart): number =>
+    given ? checkWidth(`penWidth.${part}`, given[part] ?? PEN_WIDTH) : checkWidth('penWidth', penWidth as number);
+  return Object.fromEntries(PEN_PARTS.map((part) => [part, widthOf(part)])) as Record<PenPart, number>;
+}
+
+function listedPens(pens: readonly PlotterPen[], width: number): Pen[] {
+  if (!Array.isArray(pens) || pens.length === 0 || pens.some((pen) => typeof pen !== 'object' || pen === null))
+    throw new TypeError(`drawSVG: pens must be ${quoted(PEN_LAYERS)} or a list of pens, each with its color.`);
+  const listed = pens.map((pen, i): Pen => {
+    checkColor(`drawSVG: pens[${i}].color`, pen.color);
+    const ink = `#${new Color(pen.color).getHexString()}`;
+    const speed =
+      pen.speed === undefined
+        ? null
+        : Math.round(checkNumber(`pens[${i}].speed`, pen.speed, { from: 1, to: 100 }, 'drawSVG'));
+    return {
+      name: String(pen.name ?? (typeof pen.color === 'string' ? pen.color : ink)),
+      width: checkWidth(`pens[${i}].width`, pen.width ?? width),
+      ...{ ink, speed },
+    };
+  });
+  const twice = listed.find(({ ink }, i) => listed.findIndex((pen) => pen.ink === ink) < i);
+  if (twice) throw new RangeError(`drawSVG: pens has the colour ${twice.ink} twice, so they cannot be told apart.`);
+  return listed;
+}
+
+function plotterOf(plotter: NonNullable<DrawSVGOptions['plotter']>): PlotterSpeeds {
+  if (typeof plotter === 'string') {
+    checkChoice('plotter', plotter, Object.keys(PLOTTERS));
+    return PLOTTERS[plotter];
+  }
+  if (typeof plotter !== 'object' || plotter === null)
+    throw new TypeError(`drawSVG: plotter must be ${quoted(Object.keys(PLOTTERS))} or its speeds.`);
+  const names = Object.keys(PLOTTERS.axidraw) as (keyof PlotterSpeeds)[];
+  return Object.fromEntries(
+    names.map((name) => {
+      const limits = name === 'lift' ? { from: 0 } : { above: 0 };
+      return [name, checkNumber(`plotter.${name}`, plotter[name] ?? PLOTTERS.axidraw[name], limits, 'drawSVG')];
+    }),
+  ) as unknown as PlotterSpeeds;
+}
+
+function isSplit(split: unknown): boolean {
+  if (split !== undefined) checkChoice('split', split, ['pen']);
+  return split === 'pen';
+}
+
+function checkBoolean(name: string, value: unknown): boolean {
+  if (typeof value === 'boolean') return value;
+  throw new TypeError(`drawSVG: ${name} is ${String(value)}, but must be true or false.`);
 }
 
 function secondsOf(animate: number | boolean): number | null {
@@ -150,10 +268,10 @@ function checkPlanes(planes: unknown): void {
 
 function checkChoice(name: string, value: unknown, choices: readonly string[]): void {
   if (choices.includes(value as string)) return;
-  throw new TypeError(
-    `drawSVG: ${name} is ${String(value)}, but must be ${choices.map((one) => `'${one}'`).join(' or ')}.`,
-  );
+  throw new TypeError(`drawSVG: ${name} is ${String(value)}, but must be ${quoted(choices)}.`);
 }
+
+const quoted = (choices: readonly string[]): string => choices.map((one) => `'${one}'`).join(' or ');
 
 function sizeOf(sheet: unknown, isWide: boolean): readonly [number, number] {
   const named = typeof sheet === 'string' ? sheetNamed(sheet) : undefined;

@@ -32,6 +32,25 @@ function buffersOf({ corners, sides, surfaces, stippled, outlines }: DrawnScene)
 /** The share of reading the scene in the progress. */
 const READING = 0.12;
 
+/** A layer of a drawing. Lengths are in millimetres. */
+export interface SVGDrawingLayer {
+  /** As in the file, without its number. */
+  name: string;
+  /** Such as `#1c1a17`. */
+  ink: string;
+  /** The width of the pen; null for a print. */
+  pen: number | null;
+  /** Number of paths, each of which takes a lift of a pen, and of points of their middle lines. */
+  paths: number;
+  points: number;
+  /** Total length of its paths, and travel of the lifted pen before and after ordering. */
+  drawn: number;
+  travelBefore: number;
+  travelAfter: number;
+  /** The estimated time of plotting, seconds; null for a print. */
+  plotSeconds: number | null;
+}
+
 /** A drawing as lines. Lengths are in millimetres. */
 export interface SVGDrawing {
   /** The document. */
@@ -46,6 +65,14 @@ export interface SVGDrawing {
   travelAfter: number;
   /** Total length of all paths. */
   drawn: number;
+  /** The layers of the file with their counts, in the order in which they are drawn. */
+  layers: readonly SVGDrawingLayer[];
+  /** The estimated time of plotting in seconds, without changes of pens; null for a print. */
+  plotSeconds: number | null;
+  /** With `split: 'pen'`, a file for each pen: the name of its layer, or of its ink and width. */
+  files: readonly { name: string; svg: string }[];
+  /** With `dxf: true`, the drawing as a DXF file of release 12; otherwise null. */
+  dxf: string | null;
   /** Duration of the drawing, seconds. */
   seconds: number;
   /** What the drawing does not show as the canvas does. */
@@ -74,7 +101,10 @@ export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGO
   const { signal, onProgress, createWorker, shadows = true, clippingPlanes = [] } = options;
   const start = performance.now();
   const read = async (onRead?: (progress: number) => void) => {
-    const found = await runSliced(readScene(scene, camera, shadows, clippingPlanes), { signal, onProgress: onRead });
+    const found = await runSliced(readScene(scene, camera, shadows, clippingPlanes, plan.pens), {
+      signal,
+      onProgress: onRead,
+    });
     for (const { look } of found.drawn.outlines) look.hidden = options.hidden ?? look.hidden;
     return found;
   };

@@ -3,7 +3,8 @@
  *
  * @module three-hatching/svg
  */
-export type { DrawSVGOptions } from './DrawSVGOptions.js';
-export { drawSVG, type SVGDrawing } from './drawSVG.js';
+export { type PlotterSpeeds, plottingTime } from '../plot/plotTime.js';
+export type { DrawSVGOptions, PlotterPen } from './DrawSVGOptions.js';
+export { drawSVG, type SVGDrawing, type SVGDrawingLayer } from './drawSVG.js';
 export type { LeftOut } from './leftOut.js';
 export type { SheetName } from './sheetSizes.js';

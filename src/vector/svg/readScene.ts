@@ -27,7 +27,9 @@ import { moveToOrigin } from '../moveToOrigin.js';
 import { transformed } from '../Projection.js';
 import type { Cutout } from '../paint/PaintLook.js';
 import type { TranslucentRange } from '../paint/Translucency.js';
+import type { PenPlan } from '../plot/pens.js';
 import { drawnWithout, faultOf, isStippled, type LeftOut, sentence, untestedBy, whyNoLines } from './leftOut.js';
+import { PenMatcher } from './matchPens.js';
 import { type MeshCopy, meshCopies } from './meshCopies.js';
 import { alphaTestOf, type Painted, PaintReader } from './PaintReader.js';
 import { type PosedVertices, posedVertices } from './posedVertices.js';
@@ -55,17 +57,19 @@ const SHADOW_BIAS = 0.01;
  *
  * @param shadows as in `DrawSVGOptions`
  * @param clippingPlanes planes that clip everything
+ * @param pens of a plotter; null for a print
  */
 export function* readScene(
   scene: Object3D,
   camera: Camera,
   shadows: boolean | 'hard' | 'soft',
   clippingPlanes: readonly Plane[] = [],
+  pens: PenPlan | null = null,
 ): Generator<number, { drawn: DrawnScene; leftOut: LeftOut[] }, void> {
   scene.updateMatrixWorld();
   camera.updateMatrixWorld();
   const lights = readLights(scene, camera, shadows !== false);
-  const reader = new SceneReader(scene, camera, lights, shadows !== 'hard', clippingPlanes);
+  const reader = new SceneReader(scene, camera, lights, shadows !== 'hard', clippingPlanes, pens);
   const objects: Object3D[] = [];
   scene.traverseVisible((object) => {
     if (object.layers.test(camera.layers)) objects.push(object);
@@ -103,6 +107,7 @@ class SceneReader {
   /** The placements of each visible mesh. */
   private readonly copies = new Map<Object3D, { copy: MeshCopy; posed: PosedVertices }[]>();
   private readonly fit: ToneFit;
+  private readonly matcher: PenMatcher;
   private casterSize = 0;
 
   constructor(
@@ -111,7 +116,9 @@ class SceneReader {
     private readonly lights: SceneLights,
     private readonly hasSoftShadows: boolean,
     private readonly clippingPlanes: readonly Plane[],
+    private readonly pens: PenPlan | null,
   ) {
+    this.matcher = new PenMatcher(pens?.pens ?? []);
     this.fit = new ExposureFit().update(scene, camera.layers.mask);
     this.paints = new PaintReader(this.fit);
   }
@@ -144,7 +151,7 @@ class SceneReader {
 
   private readBackground(object: HatchingBackground): void {
     const background = readBackground(object, this.camera, this.lights);
-    if (background) this.backgrounds.push(background);
+    if (background) this.backgrounds.push({ ...background, ink: this.matcher.inkFor(background.ink) });
   }
 
   private note(object: Object3D, what: string): void {
@@ -202,10 +209,16 @@ class SceneReader {
       const middle = (i + 0.4) / parts.length;
       const paint = this.paints.needs(mesh, part.material, copy);
       const source = { mesh, copy, posed, material: part.material as Painted, paint };
-      const firstTriangle = yield* asPhase(this.addTriangles(source, corners), (i + 0.1) / parts.length, middle);
-      if (whyNoLines(mesh, part.material) !== undefined || !part.material.colorWrite) continue;
-      const adding = this.addSurface(source, part.material as HatchingMaterial, { corners, firstTriangle });
-      yield* asPhase(adding, middle, (i + 1) / parts.length);
+      const isDrawn = whyNoLines(mesh, part.material) === undefined && part.material.colorWrite;
+      const ofPens = isDrawn ? yield* this.matcher.divide(source, corners) : [{ ink: null, corners }];
+      const sorted = ofPens.length === 1 ? corners : joined(ofPens.map((one) => one.corners));
+      let firstTriangle = yield* asPhase(this.addTriangles(source, sorted), (i + 0.1) / parts.length, middle);
+      if (!isDrawn) continue;
+      for (const { ink, corners } of ofPens) {
+        const adding = this.addSurface(source, part.material as HatchingMaterial, { corners, firstTriangle }, ink);
+        yield* asPhase(adding, middle, (i + 1) / parts.length);
+        firstTriangle += corners.length / 3;
+      }
     }
   }
 
@@ -256,18 +269,21 @@ class SceneReader {
     source: DetailSource,
     material: HatchingMaterial,
     range: TriangleRange,
+    penInk: string | null,
   ): Generator<number, void, void> {
     const { camera, lights, fit, paints } = this;
     const { mesh, copy, paint } = source;
+    const group = this.groupOf(mesh, material);
     const look = surfaceLookOf(material, mesh, fit, readFading(mesh, material, camera));
     const clip = clipOf(material, this.clippingPlanes);
-    const ink = colorOf(material);
+    const ink = penInk ?? colorOf(material);
     if (isStippled(material)) {
       const reading = readStippled(source, material, range, camera.matrixWorldInverse, sidesOf(material));
       const { surface: smooth, ...dots } = yield* reading;
       const surface = isFlat(material) ? yield* flattened(smooth) : smooth;
       const first = firstCoordinate(source, objectFrame(mesh, copy.toWorld, camera.matrixWorldInverse));
-      this.stippled.push({ ...dots, surface, look, paint: paint && paints.paint(source, paint, first), clip, ink });
+      const painted = paint && paints.paint(source, paint, first);
+      this.stippled.push({ ...dots, surface, look, paint: painted, clip, ink, group });
       return;
     }
     const engraved = engravedLookOf(material, isFormed(mesh.geometry));
@@ -284,9 +300,14 @@ class SceneReader {
       look,
       hides: material.depthWrite && leftBehind(material, mesh.geometry) === 0,
       paint: paint && paints.paint(source, paint, firstCoordinate(source, frame)),
-      clip,
-      ink,
+      ...{ clip, ink, group },
     });
+  }
+
+  /** The name of the material or part that a surface belongs to, if these have layers of their own. */
+  private groupOf(mesh: Mesh, material: Material | undefined): string {
+    if (this.pens?.layers === 'part') return mesh.name;
+    return this.pens?.layers === 'material' ? (material?.name ?? '') : '';
   }
 
   *readOutlinesOf(object: Object3D): Generator<number, void, void> {
@@ -315,10 +336,21 @@ class SceneReader {
             readOutlineFading(mesh, this.camera),
           ),
           clip: clipOf(isClipped(material) ? material : surface, this.clippingPlanes),
-          ink: colorOf(material),
+          ink: this.matcher.inkFor(colorOf(material)),
+          group: this.groupOf(mesh, surface),
         });
     outlineParts.dispose();
   }
+}
+
+function joined(parts: readonly Uint32Array[]): Uint32Array {
+  const all = new Uint32Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let length = 0;
+  for (const part of parts) {
+    all.set(part, length);
+    length += part.length;
+  }
+  return all;
 }
 
 const isOutlines = (object: Object3D): object is HatchingOutlines => 'isHatchingOutlines' in object;

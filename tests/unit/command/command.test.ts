@@ -71,7 +71,7 @@ test('draws the same bytes as its source', { tags: ['all'] }, async () => {
   const { options } = parseDrawing(args) as { options: DrawingOptions };
   const messages: DrawMessage[] = [];
   await drawModel({ model: join(work, 'a.obj'), options }, (message) => messages.push(message));
-  const [drawing] = messages.flatMap((message) => (message.kind === 'drawing' ? [message.svg] : []));
+  const [drawing] = messages.flatMap((message) => (message.kind === 'drawing' ? [message.texts[0].text] : []));
   expect(readFileSync(join(work, 'out/a.svg'), 'utf8')).toBe(drawing);
   expect(tree()).toEqual(['a.obj', 'out', 'out/a.svg']);
 });

@@ -92,8 +92,14 @@ describe('names of drawings', () => {
 
   test.each(['a.dxf', 'out/a.HPGL', 'a.svgz', '{name}.pdf'])('%s is refused with what to do', (out) => {
     expect(() => names(['a.obj'], out, false, undefined)).toThrow(
-      `--out is ${out}, but only SVG is written; name a file that ends in .svg, which Inkscape and vpype turn into other formats.`,
+      `--out is ${out}, but only SVG and DXF are written; name a file that ends in .svg, which Inkscape and vpype turn into other formats.`,
     );
+  });
+
+  test('DXF files end so, in a folder too', () => {
+    const ofDxf = (out: string, isFolder = false) => planOutputs(['a.obj'], out, isFolder, undefined, 'dxf')[0].outputs;
+    expect([ofDxf('b.dxf'), ofDxf('out', true)]).toEqual([['b.dxf'], ['out/a.dxf']]);
+    expect(() => ofDxf('b.svg')).toThrow('--out is b.svg, but DXF is written; name a file that ends in .dxf.');
   });
 
   test('an ending in capitals, none at all and a folder with a dot are as they are', () => {

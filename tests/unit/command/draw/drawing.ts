@@ -44,7 +44,7 @@ export async function draw(name: string, content: string | Uint8Array, ...args: 
   );
   const drawings = messages.flatMap((message) => (message.kind === 'drawing' ? [message] : []));
   return {
-    svgs: drawings.map(({ svg }) => svg),
+    svgs: drawings.flatMap(({ texts }) => texts.map(({ text }) => text)),
     drawn: drawings.map(({ counts }) => counts.drawn),
     notes: messages.flatMap((message) => (message.kind === 'note' ? [message.sentence] : [])),
     isWhole,
