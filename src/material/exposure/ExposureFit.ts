@@ -2,6 +2,7 @@ import {
   BackSide,
   DoubleSide,
   type InstancedMesh,
+  type Material,
   Matrix3,
   Matrix4,
   type Mesh,
@@ -15,8 +16,11 @@ import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.j
 import { type Arriving, LightsAround } from './LightsAround.js';
 import { openToLamps } from './openToLamps.js';
 import { colorWriter } from './pixelColors.js';
-import { planValues, WeightedColors } from './planValues.js';
-import { SceneContents } from './SceneContents.js';
+import { planScene } from './planScene.js';
+import { WeightedColors } from './planValues.js';
+import { isFittedMaterial, SceneContents } from './SceneContents.js';
+import { SeenSurfaces } from './SeenSurfaces.js';
+import { surfaceKey } from './SurfaceTones.js';
 import { type SurfaceSamples, surfaceSamples } from './surfaceSamples.js';
 import { NO_PLAN, type ToneFit } from './ToneFit.js';
 
@@ -129,6 +133,8 @@ const MAX_MESHES = 512;
  */
 const SAMPLES_OF_ONE = { least: 1 << 4, most: 1 << 10 };
 const TRIANGLES_PER_SAMPLE = 1 << 4;
+/** The distance up to which surfaces lie side by side, as a multiple of that between samples. */
+const REACH = 2;
 /** The greatest number of instances of a mesh that are sampled. */
 const MAX_INSTANCES = 16;
 /** The number of directions, evenly spread, in which a sphere is sampled relative to its light. */
@@ -137,7 +143,9 @@ const SPHERE_STEPS = 200;
 /** A surface at one place in the world. */
 interface Place {
   samples: SurfaceSamples;
+  /** The first material whose exposure is fitted, and all that the groups of the mesh may have. */
   material: HatchingMaterialProperties;
+  materials: Material | readonly Material[];
   toWorld: Matrix4;
   /** A factor on the area, which together give its share in the surfaces of the scene. */
   weight: number;
@@ -158,6 +166,7 @@ export class ExposureFit {
   private readonly fromAbove = new WeightedValues();
   private readonly fromAround = new WeightedValues();
   private readonly colors = new WeightedColors();
+  private readonly surfaces = new SeenSurfaces();
   private isStale = true;
 
   /**
@@ -168,16 +177,18 @@ export class ExposureFit {
   update(scene: Object3D, layers: number): ToneFit {
     if (!this.contents.read(scene, layers) && !this.isStale) return this.fit;
     this.isStale = false;
-    const { arriving, wanted, lightness, fromAbove, fromAround, colors, contents } = this;
-    for (const values of [arriving, wanted, lightness, fromAbove, fromAround, colors]) values.clear();
+    const { arriving, wanted, lightness, fromAbove, fromAround, colors, surfaces, contents } = this;
+    for (const values of [arriving, wanted, lightness, fromAbove, fromAround, colors, surfaces]) values.clear();
     const all = placesOf(contents);
     const openOcclusion = openOcclusionOf(all, { fromAbove, fromAround });
     const places = formedAmong(all);
     const lights = new LightsAround(contents);
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
-    for (const place of places) addPlace({ arriving, lightness, colors }, place, lights, area, openOcclusion);
+    for (const place of places) addPlace({ arriving, lightness, colors, surfaces }, place, lights, area, openOcclusion);
     for (const [material, share] of responsesOf(places)) addSphere(wanted, material, share);
-    const plan = colors.isUnchanged ? this.fit.plan : planValues(colors.means);
+    const plan = colors.isUnchanged
+      ? this.fit.plan
+      : planScene(colors, surfaces, REACH * Math.sqrt(area / MAX_SAMPLES));
     return Object.assign(this.fit, fitTones(arriving, wanted, lightness), { openOcclusion, plan });
   }
 }
@@ -197,7 +208,7 @@ function placesOf({ meshes, materials }: SceneContents): Place[] {
     const weight = countOf(mesh) / matrices.length;
     for (const toWorld of matrices) {
       const area = samples.area * Math.abs(toWorld.determinant()) ** (2 / 3);
-      places.push({ samples, material: materials[i], toWorld, weight, area });
+      places.push({ samples, material: materials[i], materials: mesh.material, toWorld, weight, area });
     }
   }
   return places;
@@ -294,6 +305,7 @@ interface Seen {
   arriving: WeightedValues;
   lightness: WeightedValues;
   colors: WeightedColors;
+  surfaces: SeenSurfaces;
 }
 
 /** How much a surface that faces the ground counts in the plan of values, beside nearly 1 for one that faces upwards. */
@@ -301,18 +313,52 @@ const FROM_BELOW = 0.05;
 
 const color = /* @__PURE__ */ new Float64Array(3);
 
+/** What a material makes of the samples of a place. */
+interface Paint {
+  material: HatchingMaterialProperties;
+  /** The index of its surface; undefined where colours make no tone. */
+  surface: number | undefined;
+  emitted: number;
+  /** Writes the colour of a sample; null where colours make no tone. */
+  writeColor: ReturnType<typeof colorWriter> | null;
+}
+
+/** Finds the paint of each sample of a place; undefined for a sample that is not drawn or whose exposure is not fitted. */
+function paintsOf({ samples, material, materials }: Place, surfaces: SeenSurfaces): (i: number) => Paint | undefined {
+  const paintOf = (one: HatchingMaterialProperties): Paint => {
+    const isToned = one.colorHatching > 0;
+    return {
+      material: one,
+      surface: isToned ? surfaces.indexOf(surfaceKey(one)) : undefined,
+      emitted: emittedBy(one),
+      writeColor: isToned ? colorWriter(one, samples) : null,
+    };
+  };
+  const { groups } = samples;
+  if (!groups || !Array.isArray(materials)) {
+    const paint = paintOf(material);
+    return () => paint;
+  }
+  const paints = (materials as readonly Material[]).map((one) =>
+    isFittedMaterial(one) ? paintOf(one as unknown as HatchingMaterialProperties) : undefined,
+  );
+  return (i) => paints[groups[i]];
+}
+
 /** Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. */
 function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, openOcclusion: number): void {
-  const { samples, material, toWorld, weight } = place;
+  const { samples, toWorld, weight } = place;
   const { positions, normals, occlusion } = samples;
+  const paintAt = paintsOf(place, seen.surfaces);
   const share = (place.area * weight) / all;
   const count = Math.max(1, Math.min(samples.count, Math.round(MAX_SAMPLES * share)));
-  const isHalfLambert = material.toneModel === 'halfLambert';
-  const emitted = emittedBy(material);
-  const writeColor = material.colorHatching > 0 ? colorWriter(material, samples) : null;
   const determinant = Math.abs(toWorld.determinant());
   toWorldNormal.getNormalMatrix(toWorld);
   for (let i = 0; i < count; i++) {
+    const paint = paintAt(i);
+    if (!paint) continue;
+    const { material, surface, emitted, writeColor } = paint;
+    const isHalfLambert = material.toneModel === 'halfLambert';
     position.fromArray(positions, 3 * i).applyMatrix4(toWorld);
     normal.fromArray(normals, 3 * i).applyMatrix3(toWorldNormal);
     const stretched = normal.length();
@@ -328,9 +374,12 @@ function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, o
     seen.lightness.add(lightness(Math.min(luminance, 1)), area);
     const least = sides === 1 ? occlusion[2 * i + first] : Math.min(occlusion[2 * i], occlusion[2 * i + 1]);
     const occluded = relativeOcclusion(least, openOcclusion);
+    let ofBoth = 0;
     for (let side = first; side < first + sides; side++) {
       // What lies in a hollow or faces the ground is hardly seen, and gets little light.
-      seen.colors.add(color, (area * (1 - occluded) * (FROM_BELOW + (0.5 + 0.5 * normal.y) ** 2)) / sides);
+      const shown = (area * (1 - occluded) * (FROM_BELOW + (0.5 + 0.5 * normal.y) ** 2)) / sides;
+      seen.colors.add(color, shown);
+      ofBoth += shown;
       const open = openToLamps(occluded, material.occlusion);
       const openToSky = 1 - material.occlusion * occluded;
       lights.arriveAt(position, normal, isHalfLambert, light);
@@ -339,6 +388,7 @@ function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, o
       seen.arriving.add(radiance, area / sides);
       normal.negate();
     }
+    if (surface !== undefined) seen.surfaces.add(surface, position, color, ofBoth);
   }
 }
 

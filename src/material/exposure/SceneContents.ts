@@ -27,7 +27,7 @@ import { isFitted } from './ToneFit.js';
  */
 export class SceneContents {
   readonly meshes: Mesh[] = [];
-  /** For each mesh, the first material whose exposure is fitted. */
+  /** For each mesh, the first material whose exposure is fitted. Those of its groups are with the mesh. */
   readonly materials: HatchingMaterialProperties[] = [];
   readonly lights: Light[] = [];
   /** The material or materials of the previous mesh, and the fitted one of them: thousands of meshes may share them. */
@@ -119,8 +119,9 @@ export class SceneContents {
     this.materials[this.meshCount++] = material;
     this.note(mesh.id);
     this.noteGeometry(mesh.geometry);
-    this.note(material.id);
-    if (isOther) this.noteMaterial(material);
+    if (!isOther) this.note(material.id);
+    else if (Array.isArray(mesh.material)) this.noteMaterials(mesh.material);
+    else this.noteMaterial(material);
     this.noteMatrix(mesh.matrixWorld);
     if ('isInstancedMesh' in mesh) {
       this.note((mesh as InstancedMesh).count);
@@ -130,18 +131,25 @@ export class SceneContents {
     if (bone) this.noteMatrix(bone.matrixWorld);
   }
 
-  private noteGeometry({ id, attributes, index, drawRange }: BufferGeometry): void {
+  private noteMaterials(given: readonly Material[]): void {
+    for (let i = 0; i < given.length; i++)
+      if (isFittedMaterial(given[i])) this.noteMaterial(given[i] as unknown as HatchingMaterialProperties);
+  }
+
+  private noteGeometry({ id, attributes, index, groups, drawRange }: BufferGeometry): void {
     this.note(id);
     this.note(versionOf(attributes.position));
     this.note(versionOf(attributes[hatchNormal.name]));
     this.note(versionOf(index));
     this.note(versionOf(attributes.color));
     this.note(versionOf(attributes.uv));
+    this.note(groups.length);
     this.note(drawRange.start);
     this.note(drawRange.count === Infinity ? -1 : drawRange.count);
   }
 
   private noteMaterial(material: HatchingMaterialProperties): void {
+    this.note(material.id);
     this.note(material.side);
     this.note(Number(material.toneModel === 'halfLambert'));
     this.note(material.reflectedLight);
@@ -197,7 +205,8 @@ function shorten(array: unknown[], length: number): void {
   if (array.length !== length) array.length = length;
 }
 
-const isFittedMaterial = (material: Material | null | undefined): boolean =>
+/** Whether a material is one whose exposure is fitted, and is seen. */
+export const isFittedMaterial = (material: Material | null | undefined): boolean =>
   !!material?.visible &&
   'isHatchingMaterial' in material &&
   isFitted(material as unknown as HatchingMaterialProperties);

@@ -1,4 +1,4 @@
-import type { IUniform, Vector4 } from 'three';
+import type { Color, IUniform, Texture, Vector4 } from 'three';
 import { PRESET_MATERIALS } from '../../look/presetMaterials.js';
 import type { HatchingLook } from '../../look/queries.js';
 import type { ToneCurve } from '../fitToneCurve.js';
@@ -18,10 +18,10 @@ export interface ToneFit {
 }
 
 /**
- * A plan of values: the darkness that the colours of a scene are drawn with, straight between a few lightnesses. The darkness of a
+ * The curve of a plan of values: the darkness that the colours of a scene are drawn with, straight between a few lightnesses. The darkness of a
  * lightness L is the sum of `bends[i]` times `knots[i]` − L, where that is above 0.
  */
-export interface ValuePlan {
+export interface ValueCurve {
   /** The weights of red, green and blue in the lightness, as of a filter before the lens. They make 1. */
   readonly filter: readonly [red: number, green: number, blue: number];
   /** The lightnesses at which the slope of the darkness changes. */
@@ -30,30 +30,67 @@ export interface ValuePlan {
   readonly bends: readonly [number, number, number, number];
 }
 
+/** A plan of values: a curve, and the surfaces to which it gives one darkness instead. */
+export interface ValuePlan extends ValueCurve {
+  /** The tones of surfaces that their colours alone would not tell from what lies beside them; null if there are none. */
+  readonly tones: PlannedTones | null;
+}
+
+/** What tells a surface from others: copies of a material, for another renderer or another look, are the same surface. */
+export interface SurfaceFacts {
+  readonly name: string;
+  readonly color: Color;
+  readonly map: Texture | null;
+  readonly vertexColors: boolean;
+}
+
+/** The tones that a plan has for whole surfaces. */
+export interface PlannedTones {
+  /** The darkness of the surface of a material; undefined where it follows from the colours. Allocates nothing in a frame like the last. */
+  of(material: SurfaceFacts): number | undefined;
+}
+
 /** The weights of red, green and blue in the luminance, as in three.js. */
 export const LUMINANCE = [0.2126729, 0.7151522, 0.072175] as const;
 
 /** No plan: all is blank. */
-export const NO_PLAN: ValuePlan = { filter: LUMINANCE, knots: [0, 0, 0, 0], bends: [0, 0, 0, 0] };
+export const NO_PLAN: ValuePlan = {
+  filter: LUMINANCE,
+  knots: [0, 0, 0, 0],
+  bends: [0, 0, 0, 0],
+  tones: null,
+};
 
-/** The numbers of a composition that a fit is written with. */
-interface FittedComposition {
-  readonly exposureCompensation: number;
-  readonly plannedValues: number;
+/** What of a material a fit is written with. */
+interface FittedMaterial extends SurfaceFacts {
+  readonly composition: { readonly exposureCompensation: number; readonly plannedValues: number };
 }
 
 /** Writes the exposure of a material from a fit. Allocates nothing. */
 export function writeFit(
   { scale, offset, white, openOcclusion: open, plan }: ToneFit,
-  { composition: { exposureCompensation, plannedValues } }: { readonly composition: FittedComposition },
+  material: FittedMaterial,
   { exposure, colorExposure, colorFilter, openOcclusion, valueKnots, valueBends }: Readonly<Record<string, IUniform>>,
 ): void {
+  const { exposureCompensation, plannedValues } = material.composition;
   exposure.value.set(scale, offset).multiplyScalar(exposureCompensation);
   colorExposure.value = 1 / white;
   openOcclusion.value = open;
   writeFilter(plan.filter, plannedValues, colorFilter.value);
-  valueKnots.value.fromArray(plan.knots);
-  valueBends.value.fromArray(plan.bends);
+  writeValues(plan, material, valueKnots.value, valueBends.value);
+}
+
+/** A lightness so far above white that a curve which begins there has one darkness for all colours. */
+const FAR_ABOVE = 2 ** 16;
+
+/** Writes the curve of a plan for a material. Allocates nothing. */
+export function writeValues(plan: ValuePlan, material: SurfaceFacts, knots: Vector4, bends: Vector4): void {
+  const tone = plan.tones?.of(material);
+  knots.fromArray(plan.knots);
+  bends.fromArray(plan.bends);
+  if (tone === undefined) return;
+  knots.set(FAR_ABOVE, 0, 0, 0);
+  bends.set(tone / FAR_ABOVE, 0, 0, 0);
 }
 
 /** Writes the weights of red, green and blue, and the share of the plan in the darkness. Allocates nothing. */

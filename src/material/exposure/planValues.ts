@@ -1,5 +1,5 @@
 import { lightness } from '../../look/vectors.js';
-import type { ValuePlan } from './ToneFit.js';
+import type { ValueCurve } from './ToneFit.js';
 
 /** The colours of a scene with their weights. Emptying it keeps its memory. */
 export class WeightedColors {
@@ -49,7 +49,8 @@ export class WeightedColors {
   }
 }
 
-interface Color {
+/** A colour in linear light, and its share of what is seen. */
+export interface Color {
   r: number;
   g: number;
   b: number;
@@ -76,13 +77,13 @@ interface Value {
 
 /** The share of the surface, the lightest colours, that is left to the paper, and the darkness of the darkest colour. */
 const PAPER = 0.55;
-const DARKEST = 0.7;
+export const DARKEST = 0.7;
 /** The share of the surface from which on the lightest colours alone make the lights of a picture. */
 const LIGHTS = 0.2;
 /** How much of a value's own surface counts in its rank. */
 const OWN = 0.25;
 /** The step by which neighbouring values differ, and the steepest rise of the darkness that may be needed for it. */
-const STEP = 0.15;
+export const STEP = 0.15;
 const STEEPEST = 1.5;
 /** Nearly black things are never quite white: the lightness at which they begin, and the darkness of black. */
 const NEARLY_BLACK = 0.3;
@@ -91,7 +92,7 @@ const LEAST_BLACK = 0.3;
 const ONE_VALUE = 0.05;
 /** The share of the surface from which on a value is a mass, with a step of its own, and below which it is a spot. */
 const MASS = 0.1;
-const SPOT = 0.02;
+export const SPOT = 0.02;
 
 /**
  * Plans the values of a scene: which colours are left to the paper, which are half tones and which are dark. The darkness of a colour
@@ -99,7 +100,7 @@ const SPOT = 0.02;
  * all over. Neighbouring values differ by a step, as far as their lightness does; those that are left to the paper by one step together.
  * Where colours differ in hue alone, red, green and blue count as behind a filter before the lens, so that they become different greys.
  */
-export function planValues(colors: readonly Color[]): ValuePlan {
+export function planValues(colors: readonly Color[]): ValueCurve {
   const filter = filterFor(colors);
   const values = valuesOf(colors, filter);
   if (values.length === 0) values.push({ lightness: 1, weight: 1, before: 0, darkness: 0 });
@@ -109,7 +110,7 @@ export function planValues(colors: readonly Color[]): ValuePlan {
 }
 
 /** The values of colours behind a filter, from light to dark. */
-function valuesOf(colors: readonly Color[], filter: ValuePlan['filter']): Value[] {
+function valuesOf(colors: readonly Color[], filter: ValueCurve['filter']): Value[] {
   const seen = colors
     .map((color) => ({ lightness: behind(filter, color), weight: color.weight, before: 0, darkness: 0 }))
     .sort((a, b) => b.lightness - a.lightness);
@@ -169,7 +170,7 @@ function separate(values: readonly Value[]): void {
 const KNOTS = 4;
 
 /** The curve from lightness to darkness, straight between a few values, and level before the first. A darker colour that comes later is darker than the last. */
-function curveThrough(values: readonly Value[]): Pick<ValuePlan, 'knots' | 'bends'> {
+function curveThrough(values: readonly Value[]): Pick<ValueCurve, 'knots' | 'bends'> {
   const points = values.filter(({ darkness }, i) => darkness > 0 || !(values[i + 1]?.darkness === 0));
   const [first] = points;
   if (first.darkness > 0)
@@ -208,7 +209,7 @@ function leastMissed(points: readonly Value[]): number {
 }
 
 /** The weights of red, green and blue in the luminance, and those behind a red, orange, green, cyan, magenta, purple and blue filter. */
-const FILTERS: readonly ValuePlan['filter'][] = [
+const FILTERS: readonly ValueCurve['filter'][] = [
   [0.2126, 0.7152, 0.0722],
   [0.7, 0.25, 0.05],
   [0.45, 0.5, 0.05],
@@ -224,7 +225,7 @@ const LOST = 0.02;
 const DIFFERENT = 0.2;
 
 /** The filter behind which few colours look alike that do not, and most of the surface is as light as the lightest. */
-function filterFor(colors: readonly Color[]): ValuePlan['filter'] {
+function filterFor(colors: readonly Color[]): ValueCurve['filter'] {
   const main = colors.filter(({ weight }) => weight >= SPOT);
   const [plain] = FILTERS;
   if (lostBehind(plain, main) <= LOST) return plain;
@@ -233,14 +234,14 @@ function filterFor(colors: readonly Color[]): ValuePlan['filter'] {
 }
 
 /** How much darker than the lightest of them colours are on the whole. */
-function darkBehind(filter: ValuePlan['filter'], colors: readonly Color[]): number {
+function darkBehind(filter: ValueCurve['filter'], colors: readonly Color[]): number {
   const seen = colors.map((color) => behind(filter, color));
   const lightest = Math.max(...seen);
   return colors.reduce((sum, { weight }, i) => sum + weight * (lightest - seen[i]), 0);
 }
 
 /** The share of the surface whose neighbours in lightness are of another colour. */
-function lostBehind(filter: ValuePlan['filter'], colors: readonly Color[]): number {
+function lostBehind(filter: ValueCurve['filter'], colors: readonly Color[]): number {
   const seen = colors.map((color) => behind(filter, color));
   let lost = 0;
   for (let i = 0; i < colors.length; i++)
@@ -254,5 +255,10 @@ function lostBehind(filter: ValuePlan['filter'], colors: readonly Color[]): numb
 const differ = (a: Color, b: Color): boolean =>
   (['r', 'g', 'b'] as const).some((one) => Math.abs(lightness(a[one]) - lightness(b[one])) > DIFFERENT);
 
-const behind = ([r, g, b]: ValuePlan['filter'], color: Color): number =>
+/** The lightness of a colour behind a filter. */
+export const behind = ([r, g, b]: ValueCurve['filter'], color: Omit<Color, 'weight'>): number =>
   lightness(clamp01(r * color.r + g * color.g + b * color.b));
+
+/** The darkness that a curve has for a lightness. */
+export const darknessOf = ({ knots, bends }: ValueCurve, light: number): number =>
+  knots.reduce((sum, knot, i) => sum + bends[i] * Math.max(knot - light, 0), 0);

@@ -16,7 +16,12 @@ export interface SurfaceSamples {
   /** The vertex colours, three numbers per sample, and the first texture coordinates, two, if the geometry has them. */
   readonly colors: Float32Array | undefined;
   readonly places: Float32Array | undefined;
+  /** For each sample the index of its material among those of the mesh, if the geometry has groups; `NO_GROUP` between groups. */
+  readonly groups: Uint16Array | undefined;
 }
+
+/** Stands for the material of triangles of no group, which meshes of several materials do not draw. */
+export const NO_GROUP = 0xffff;
 
 /** The cosine of the greatest angle between two normals of a flat surface. */
 const FLAT = Math.cos(Math.PI / 180);
@@ -41,9 +46,9 @@ export const versionOf = (attribute: Attribute | null | undefined): number =>
  * @param mostTriangles the greatest number of triangles that are read; in larger geometries each stands for its neighbours
  */
 export function surfaceSamples(geometry: BufferGeometry, wanted: number, mostTriangles: number): SurfaceSamples {
-  const { attributes, drawRange, index } = geometry;
+  const { attributes, drawRange, index, groups } = geometry;
   const facts = [
-    ...[wanted, mostTriangles, drawRange.start, drawRange.count],
+    ...[wanted, mostTriangles, drawRange.start, drawRange.count, groups.length],
     ...[attributes.position, index, attributes[hatchNormal.name], attributes.color, attributes.uv].map(versionOf),
   ];
   const before = known.get(geometry);
@@ -89,6 +94,13 @@ class Corners {
     return this.baked?.getW(vertex) ?? 0;
   }
 
+  /** The index of the material of a triangle. */
+  group(triangle: number): number {
+    const corner = this.start + 3 * triangle;
+    const group = this.geometry.groups.find(({ start, count }) => corner >= start && corner < start + count);
+    return group ? (group.materialIndex ?? 0) : NO_GROUP;
+  }
+
   vertex(triangle: number, corner: number): number {
     const entry = this.start + 3 * triangle + corner;
     return this.geometry.index ? this.geometry.index.getX(entry) : entry;
@@ -125,6 +137,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
   const { color, uv } = geometry.attributes;
   const colors = color ? new Float32Array(3 * count) : undefined;
   const places = uv ? new Float32Array(2 * count) : undefined;
+  const groups = geometry.groups.length > 0 ? new Uint16Array(count) : undefined;
   let isFlat = true;
   for (let i = 0; i < count; i++) {
     // Halton points: one coordinate chooses the triangle, two the place in it.
@@ -132,6 +145,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
     const root = Math.sqrt(radicalInverse(i + 1, 3));
     const across = radicalInverse(i + 1, 5);
     const shares = [1 - root, root * (1 - across), root * across];
+    if (groups) groups[i] = corners.group(triangle);
     const xyz = corners.read(triangle);
     const length = writeNormal(xyz);
     for (let axis = 0; axis < 3; axis++) {
@@ -156,7 +170,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
     }
     isFlat &&= normals[0] * normals[3 * i] + normals[1] * normals[3 * i + 1] + normals[2] * normals[3 * i + 2] > FLAT;
   }
-  return { count, area: (step * sum) / 2, isFlat, positions, normals, occlusion, colors, places };
+  return { count, area: (step * sum) / 2, isFlat, positions, normals, occlusion, colors, places, groups };
 }
 
 /** The index of the first rising sum above a value. */

@@ -1,5 +1,5 @@
 import { Vector4 } from 'three';
-import { isFitted, LUMINANCE, type ToneFit, writeFilter } from '../../material/exposure/ToneFit.js';
+import { isFitted, LUMINANCE, type ToneFit, writeFilter, writeValues } from '../../material/exposure/ToneFit.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import type { ColorTones } from '../shading/tone.js';
 
@@ -23,13 +23,14 @@ export function colorTonesOf(material: HatchingMaterial | null, fit: ToneFit): C
   const { colorHatching, composition } = material;
   if (!isFitted(material)) return { ...NONE, colorHatching };
   const { white, plan } = composition.kept(fit);
-  const colorFilter = new Vector4();
+  const [colorFilter, knots, bends] = [new Vector4(), new Vector4(), new Vector4()];
+  writeValues(plan, material, knots, bends);
   writeFilter(plan.filter, composition.plannedValues, colorFilter);
   return {
     colorHatching,
     colorExposure: 1 / white,
     colorFilter: colorFilter.toArray(),
-    valueKnots: plan.knots,
-    valueBends: plan.bends,
+    valueKnots: knots.toArray(),
+    valueBends: bends.toArray(),
   };
 }

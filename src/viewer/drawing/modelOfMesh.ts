@@ -210,9 +210,10 @@ function materialsOf(
   usual: Side,
   paintOf: (picture: number) => HatchingMaterialParameters,
 ): HatchingMaterial[] {
-  return ranges.map(({ picture, isSeeThrough = false, isOneSided, castsFronts }) => {
+  return ranges.map(({ picture, paint = '', isSeeThrough = false, isOneSided, castsFronts }) => {
     const glass = isSeeThrough ? { transparent: true, depthWrite: false } : {};
     return new HatchingMaterial({
+      name: paint,
       tilesPerObjectUnit: 1,
       vertexColors: colors !== null,
       side: isOneSided === undefined ? usual : isOneSided ? FrontSide : DoubleSide,

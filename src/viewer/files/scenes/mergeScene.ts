@@ -1,6 +1,6 @@
 import {
   type BufferGeometry,
-  type Color,
+  Color,
   DoubleSide,
   type Material,
   Matrix3,
@@ -23,7 +23,8 @@ import { resolveAlpha } from './resolveAlpha.js';
 /**
  * Merges all meshes below `root`, in their places and saved poses, to one mesh, which needs one bake and one draw call. Colours of
  * materials and vertices become vertex colours; non-finite values are repaired. See-through parts get their own ranges. Meshes are the
- * parts of the result; those of a scene of one mesh are its named runs of triangles, or else its materials.
+ * parts of the result; those of a scene of one mesh are its named runs of triangles, or else its materials. Where materials differ in
+ * colour the mesh has a range for each colour, so that each has a tone and its borders have lines.
  *
  * @param pictures if given, receives the textures of base colours, and the mesh has one range per texture; otherwise textures are left out
  * @param toMesh if given, receives the matrix from scene space to mesh space
@@ -65,16 +66,27 @@ export function mergeScene(
   const indices = new Uint32Array(cornerCount);
   const ranges: PictureRange[] = [];
   let corner = 0;
-  // Sorted, so that the triangles of each picture form one range.
+  const paints = paintsOf(pieces.map(({ piece }) => piece));
+  const placeOf = (piece: Piece): number => Math.max(0, paints.indexOf(paintOf(piece)));
+  const rangeOf = (piece: Piece): number => MOST_PAINTS * drawnAs(piece) + (piece.isSeeThrough ? 0 : placeOf(piece));
+  // Sorted, so that the triangles of each picture and paint form one range.
+  let before: number | undefined;
   for (const { part, piece } of pieces.sort((a, b) => rangeOf(a.piece) - rangeOf(b.piece))) {
     const end = writeIndices(part, piece, indices, corner);
-    const last = ranges.at(-1);
     const { picture, isSeeThrough } = piece;
     const sides = hasSides && { isOneSided: piece.isOneSided };
-    if (last && rangeOf({ isSeeThrough: false, isOneSided: false, ...last }) === rangeOf(piece))
-      last.count += end - corner;
-    else ranges.push({ start: corner, count: end - corner, picture, ...(isSeeThrough && { isSeeThrough }), ...sides });
+    const range = rangeOf(piece);
+    const paint = paints.length > 1 && !isSeeThrough && { paint: paints[placeOf(piece)] };
+    if (range === before) ranges[ranges.length - 1].count += end - corner;
+    else
+      ranges.push({
+        ...{ start: corner, count: end - corner, picture },
+        ...(isSeeThrough && { isSeeThrough }),
+        ...sides,
+        ...paint,
+      });
     corner = end;
+    before = range;
   }
   const hasRanges = uvs !== null || ranges.length > 1 || ranges.some(({ isSeeThrough }) => isSeeThrough);
   const named = namedParts(parts, vertexCount, root);
@@ -110,9 +122,23 @@ interface Piece {
   first: number;
 }
 
-/** The order of ranges. See-through pieces come last. */
-const rangeOf = ({ picture, isSeeThrough, isOneSided }: Pick<Piece, 'picture' | 'isSeeThrough' | 'isOneSided'>) =>
+/** The order of ranges but for their paint. See-through pieces come last. */
+const drawnAs = ({ picture, isSeeThrough, isOneSided }: Piece): number =>
   2 * (isSeeThrough ? 2 ** 32 : picture) + Number(isOneSided);
+
+/** The greatest number of paints with ranges of their own: each range is a call to draw. The rest has that of the first. */
+const MOST_PAINTS = 32;
+
+/** A name for the colour of a piece. */
+const paintOf = (piece: Piece): string => new Color(...pieceColor(piece)).getHexString();
+
+/** The paints with the most corners, the most first. */
+function paintsOf(pieces: readonly Piece[]): string[] {
+  const corners = new Map<string, number>();
+  for (const piece of pieces)
+    if (!piece.isSeeThrough) corners.set(paintOf(piece), (corners.get(paintOf(piece)) ?? 0) + piece.count);
+  return [...corners.keys()].sort((a, b) => corners.get(b)! - corners.get(a)!).slice(0, MOST_PAINTS);
+}
 
 /** A mesh with one of its matrices. */
 interface Part {

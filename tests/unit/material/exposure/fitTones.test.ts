@@ -1,4 +1,4 @@
-import { Vector2, Vector4 } from 'three';
+import { Color, Vector2, Vector4 } from 'three';
 import { expect, test } from 'vitest';
 import { fitTones, WeightedValues } from '../../../../src/material/exposure/ExposureFit.js';
 import { writeFit } from '../../../../src/material/exposure/ToneFit.js';
@@ -48,6 +48,8 @@ test('without light nothing is fitted but the colours', () => {
   expect(fitTones(NONE, spread(0, 1), spread(0, 0.6)).white).toBeCloseTo(0.54, 2);
 });
 
+const PAINT = { name: '', color: new Color(), map: null, vertexColors: false };
+
 test('a material takes a fit with its compensation, colours divided by what is white, and a share of the plan of values', () => {
   const uniforms = {
     exposure: { value: new Vector2() },
@@ -57,9 +59,9 @@ test('a material takes a fit with its compensation, colours divided by what is w
     valueKnots: { value: new Vector4() },
     valueBends: { value: new Vector4() },
   };
-  const plan = { filter: [1, 0, 0], knots: [0.8, 0.5, 0.2, 0], bends: [1, 2, -3, 0] } as const;
+  const plan = { filter: [1, 0, 0], knots: [0.8, 0.5, 0.2, 0], bends: [1, 2, -3, 0], tones: null } as const;
   const composition = { exposureCompensation: 1.5, plannedValues: 0.5 };
-  writeFit({ scale: 2, offset: -0.5, white: 0.4, openOcclusion: 0.6, plan }, { composition }, uniforms);
+  writeFit({ scale: 2, offset: -0.5, white: 0.4, openOcclusion: 0.6, plan }, { ...PAINT, composition }, uniforms);
   expect([...uniforms.exposure.value, uniforms.colorExposure.value]).toEqual([3, -0.75, 2.5]);
   expect(uniforms.openOcclusion.value).toBe(0.6);
   expect(uniforms.valueKnots.value.toArray()).toEqual(plan.knots);

@@ -48,6 +48,33 @@ test('instances are placed relative to their mesh', () => {
   ]);
 });
 
+describe('paints', () => {
+  const painted = (color: number, parameters = {}) =>
+    new Mesh(new PlaneGeometry(), new MeshBasicMaterial({ color, ...parameters }));
+  const rangesOf = (...meshes: Object3D[]) => mergeScene(new Group().add(...meshes)).ranges;
+
+  test('have a range for each colour, the most frequent first, and glass has one of its own', () => {
+    const glass = painted(0x00ff00, { transparent: true, opacity: 0.5 });
+    expect(rangesOf(painted(0xff0000), painted(0x0000ff), painted(0x0000ff), glass)).toEqual([
+      { start: 0, count: 12, picture: -1, paint: '0000ff' },
+      { start: 12, count: 6, picture: -1, paint: 'ff0000' },
+      { start: 18, count: 6, picture: -1, isSeeThrough: true },
+    ]);
+  });
+
+  test('of one colour have none', () => {
+    expect(rangesOf(painted(0xff0000), painted(0xff0000))).toBeUndefined();
+  });
+
+  test('beyond 32 are in the range of the most frequent', () => {
+    const many = Array.from({ length: 40 }, (_, i) => painted(i));
+    const ranges = rangesOf(painted(0xffffff), painted(0xffffff), ...many)!;
+    expect(ranges).toHaveLength(32);
+    expect(ranges[0]).toMatchObject({ count: 6 * 11, paint: 'ffffff' });
+    expect(ranges.reduce((sum, { count }) => sum + count, 0)).toBe(6 * 42);
+  });
+});
+
 describe('sides', () => {
   const sheet = () => new PlaneGeometry();
   const both = new MeshBasicMaterial({ side: DoubleSide });
