@@ -66,6 +66,8 @@ export async function drawModel(
   );
   if (!model.parts && options.hide.length + options.only.length > 0)
     throw new ModelError(`${name} has only one part, so --hide and --only have nothing to choose from.`);
+  if (options.pens === 'part' && model.joinedParts)
+    note(`${name}: its parts are read as one mesh, so they share the layers of --pens part.`);
   tellFaults(name, read, notes, note);
   const drawnWith = settingsFor(options, link, model.stands ?? read.upAxis);
   chooseClip(model, options, linked, name);
