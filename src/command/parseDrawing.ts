@@ -67,6 +67,8 @@ export interface DrawingOptions {
   isSplit: boolean;
   /** What is written. */
   written: 'svg' | 'dxf';
+  /** Whether a pen's lines are placed evenly or lie as on the canvas; undefined for even lines of a picture and the canvas's of frames. */
+  lines: 'even' | 'canvas' | undefined;
   /** Shorter lines of a pen are left out, millimetres; undefined for the default. */
   shortest: number | undefined;
   sheet: Sheet;
@@ -166,6 +168,7 @@ const OPTIONS = {
   pens: { type: 'string' },
   refill: { type: 'string' },
   split: { type: 'string' },
+  lines: { type: 'string' },
   shortest: { type: 'string' },
   sheet: { type: 'string' },
   margin: { type: 'string' },
@@ -228,6 +231,7 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
                            to which colours are matched: a plotter pauses before it (default layer: each kind of lines)
   --refill <metres>        pauses after so many metres of line, as 40m, to fill the pen
   --split pen              a file for each pen
+  --lines <even|canvas>    lines of a pen evenly apart, or just those of the canvas (default even; canvas for frames)
   --shortest <mm>          leaves out lines of a pen that are shorter, as each takes a lift (default 1)
   --sheet <size>           ${Object.keys(SHEET_SIZES).join(', ')}, turned to suit the model;
                            "A4 landscape" or "A4 portrait"; or as 200x150 in millimetres or 8.5x11in (default ${DEFAULTS.sheet})
@@ -282,6 +286,8 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     throw new UsageError('--camera and --view exclude each other; pass only one of them.');
   if (kind === 'pen' && values.paper !== undefined)
     throw new UsageError('--paper is for print; a pen would draw the border of the sheet.');
+  if (kind !== 'pen' && values.lines !== undefined)
+    throw new UsageError('--lines is for a pen; a print has the lines of the canvas. Pass --kind pen, or --pen.');
   if (kind !== 'pen' && values.shortest !== undefined)
     throw new UsageError('--shortest is for a pen; a print has no lifts. Pass --kind pen, or --pen with its width.');
   if (values.shadows && values['no-shadows'])
@@ -314,6 +320,7 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     pens: penLayers(values.pens),
     refill: metresOf('refill', values.refill),
     isSplit: choice('split', values.split, ['pen']) === 'pen',
+    lines: choice('lines', values.lines, ['even', 'canvas']),
     shortest: number('shortest', values.shortest, { least: 0, most: 1000 }),
     dpi: number('dpi', values.dpi, { least: 10, most: 1200 }) ?? DEFAULTS.dpi,
     paper: colour(values.paper),

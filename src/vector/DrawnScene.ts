@@ -100,6 +100,8 @@ export interface DrawingPlan {
   margin: number;
   /** The pens of a plotter; null for filled outlines whose width is the tone. */
   pens: PenPlan | null;
+  /** Whether the lines of a pen are placed on the sheet evenly, or lie where the canvas has them. */
+  lines: 'even' | 'canvas';
   /** Shorter lines of a pen are omitted. */
   shortest: number;
   /** The width of the thinnest line of a print; 0 for no limit. */

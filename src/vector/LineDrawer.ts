@@ -24,6 +24,8 @@ import { Translucency, TranslucentTone } from './paint/Translucency.js';
 import { dashes, type LinePath } from './paths/LinePath.js';
 import { type LayerName, type PenPart, partOfLayer } from './plot/pens.js';
 import { readVertices, type Tracing } from './readVertices.js';
+import { canBeEven, evenLines } from './streamlines/evenLines.js';
+import { penChain, penPath } from './streamlines/penPaths.js';
 import { subdivide } from './subdivide.js';
 import { ToneReader, VertexTones } from './ToneReader.js';
 import { seenSides, traceFamily } from './traceFamily.js';
@@ -211,10 +213,64 @@ export class LineDrawer {
     return clipped(isCut ? (place) => isSeen(place) && !isCut(place) : isSeen, clip);
   }
 
-  *drawSurfaces(): Generator<number, void, void> {
+  /** @param isEven whether the lines of a pen are placed on the sheet, where that is possible, instead of where the canvas has them */
+  *drawSurfaces(isEven = false): Generator<number, void, void> {
     const { surfaces } = this.scene;
-    for (const [i, surface] of surfaces.entries())
-      yield* asPhase(this.drawSurface(surface), i / surfaces.length, (i + 1) / surfaces.length);
+    const placed = isEven ? surfaces.filter(canBeEven) : [];
+    // A ground hides nothing, and its lines are placed for themselves.
+    const groups = [
+      ...this.byPen(placed.filter(({ hides }) => hides)),
+      ...placed.filter(({ hides }) => !hides).map((one) => [one]),
+    ];
+    const isPlaced = new Set(placed);
+    const others = surfaces.filter((surface) => !isPlaced.has(surface));
+    let done = 0;
+    for (const group of [...groups, ...others.map((one) => [one])]) {
+      const from = done / surfaces.length;
+      done += group.length;
+      if (group.length === 0) continue;
+      const drawing = isPlaced.has(group[0]) ? this.drawEven(group) : this.drawSurface(group[0]);
+      yield* asPhase(drawing, from, done / surfaces.length);
+    }
+  }
+
+  /** Surfaces by the widths of their pens: lines of one width are placed together. */
+  private byPen(surfaces: readonly EngravedSurface[]): EngravedSurface[][] {
+    const groups = new Map<number, EngravedSurface[]>();
+    for (const surface of surfaces) {
+      const width = this.pens!('lines', surface.ink);
+      groups.set(width, [...(groups.get(width) ?? []), surface]);
+    }
+    return [...groups.values()];
+  }
+
+  /** @param surfaces of one pen */
+  private *drawEven(surfaces: readonly EngravedSurface[]): Generator<number, void, void> {
+    const { scene, projection, bvh, pens, millimetre, translucency } = this;
+    const pen = pens!('lines', surfaces[0].ink);
+    for (const surface of surfaces) yield* this.dropUnshaded(surface);
+    if (surfaces.every(({ surface }) => surface.parents.length === 0)) return;
+    const drawn = {
+      scene,
+      projection,
+      bvh,
+      isDeep: translucency.isThere,
+      pen: pen / millimetre,
+      scale: 1 / millimetre,
+    };
+    const lines = yield* asPhase(evenLines(surfaces, drawn), 0, 0.9);
+    for (const [i, line] of lines.entries()) {
+      const { points, world, surface } = line;
+      this.segments += points.length / 2 - 1;
+      const layer = this.layerOf(line.layer, surface.ink, surface.group);
+      if (world === null) {
+        layer.paths.push(penPath(line, pen));
+        continue;
+      }
+      yield 0.9 + (0.1 * i) / lines.length;
+      for (const { faded, left, isLeft } of yield* this.fadedParts(penChain(line, world, pen), () => true))
+        for (const { path } of yield* this.seenParts(faded, isLeft)) this.addPath({ layer, path, left });
+    }
   }
 
   private *drawSurface(engraved: EngravedSurface): Generator<number, void, void> {

@@ -83,7 +83,7 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   const least = pens === null ? plan.leastWidth / scale : 0;
   const drawer = new LineDrawer(scene, widths, projection, bvh, least, 1 / scale);
   yield* asPhase(drawer.drawOutlines(), ...phases.outlines);
-  yield* asPhase(drawer.drawSurfaces(), ...phases.surfaces);
+  yield* asPhase(drawer.drawSurfaces(plan.lines === 'even'), ...phases.surfaces);
   yield* asPhase(drawer.drawBackgrounds(), ...phases.backgrounds);
   const dots = yield* asPhase(drawDots(scene, projection, bvh, drawer.translucency, drawer.above), ...phases.dots);
   const lines = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
@@ -174,7 +174,10 @@ function filesOf(layers: readonly SVGLayer[], sheet: SVGSheet): { name: string; 
 }
 
 /** Fits the picture of the camera into the middle of the sheet, within the margin. */
-function placePicture({ camera }: DrawnScene, plan: DrawingPlan): { projection: Projection; placement: Placement } {
+export function placePicture(
+  { camera }: DrawnScene,
+  plan: DrawingPlan,
+): { projection: Projection; placement: Placement } {
   // The middle of a stroke keeps this distance from the edge, so that all of it lies on the sheet.
   const margin = Math.max(plan.margin, plan.pens ? thickestPen(plan.pens) / 2 : 0);
   const aspect = camera.projection[5] / camera.projection[0];

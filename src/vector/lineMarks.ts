@@ -139,6 +139,24 @@ function penTone(measure: FamilyMeasure): number {
   return Math.min(Math.max(tone, LEAST_PEN_TONE) / drawn, MOST_PEN_TONE);
 }
 
+/** The share of the length of placed lines that their strokes cover; 1 for lines in one go. */
+export const drawnShareOf = (measure: FamilyMeasure): number =>
+  measure.strokes ? drawnShare(unrepeatedPen(measure, measure.strokes)) : 1;
+
+/** The stroke of a placed line at a place: its presence from 0 to 1, and its offset in distances between lines along the way uphill on the picture. */
+export function strokeOnLine(
+  measure: FamilyMeasure,
+  line: number,
+): { presence: number; astray: number; uphill: readonly [number, number] } {
+  const { strokes } = measure;
+  if (!strokes) return { presence: 1, astray: 0, uphill: [0, 0] };
+  return { ...strokeAt(unrepeatedPen(measure, strokes), 1, line), uphill: strokes.uphill };
+}
+
+/** Numbers of placed lines do not repeat across seams. */
+const unrepeatedPen = (measure: FamilyMeasure, strokes: StrokePlace): Pen =>
+  penOf(measure, { ...strokes, repeat: Infinity });
+
 const penOf = ({ tone, octave }: FamilyMeasure, { along, irregularity, repeat }: StrokePlace): Pen =>
   penFor(tone, along, irregularity, repeat, octave);
 

@@ -44,6 +44,12 @@ export interface DrawSVGOptions extends TaskOptions {
   /** Whether the result has the drawing in DXF, too, with `kind: 'pen'`. Default: false. */
   dxf?: boolean | undefined;
   /**
+   * With `kind: 'pen'`, where engraved lines lie. `'even'`: along the directions of the canvas, but placed on the sheet, each in the middle
+   * between its neighbours and as far from them as the tone asks for. `'canvas'`: just where the canvas has them, where every other one ends
+   * as the tone gets lighter. Default: `'even'`.
+   */
+  lines?: 'even' | 'canvas' | undefined;
+  /**
    * With `kind: 'pen'`, lines shorter than this are left out, 0 or more: each would take the pen a lift. Dashes are lines of their own. Default:
    * 1.
    */
@@ -100,6 +106,7 @@ export interface PlotterPen {
 /** Options that only a plotter's drawing has. */
 const FOR_PENS = {
   penWidth: 'Leave it out, or draw with a pen',
+  lines: 'A print has the lines of the canvas',
   shortest: 'A print has no lifts',
   pens: 'A print has an ink for each layer',
   refill: 'A print needs no ink again',
@@ -118,6 +125,7 @@ const NAMES = {
   plotter: true,
   split: true,
   dxf: true,
+  lines: true,
   shortest: true,
   leastWidth: true,
   dpi: true,
@@ -148,6 +156,7 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
   const isPen = kind === 'pen';
   for (const [name, why] of Object.entries(FOR_PENS) as [keyof typeof FOR_PENS, string][])
     if (!isPen && options[name] !== undefined) throw new TypeError(`drawSVG: ${name} is only for kind: 'pen'. ${why}.`);
+  if (options.lines !== undefined) checkChoice('lines', options.lines, ['even', 'canvas']);
   if (isPen && options.leastWidth !== undefined)
     throw new TypeError("drawSVG: leastWidth is only for kind: 'print'. A pen has one width.");
   if (isPen && paper !== null)
@@ -164,6 +173,7 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
     plotter: plotterOf(options.plotter ?? 'axidraw'),
     isSplit: isSplit(options.split),
     hasDxf: checkBoolean('dxf', options.dxf ?? false),
+    lines: isPen ? (options.lines ?? 'even') : 'canvas',
     shortest: checkNumber('shortest', options.shortest ?? 1, { from: 0 }, 'drawSVG'),
     leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0, to: 2400 }, 'drawSVG'),

@@ -130,7 +130,8 @@ describe('the command line of draw', () => {
   test('without a pen the drawing is for print, with or without shadows', () => {
     expect(drawing(...OUT).options).toMatchObject({ kind: 'print', pen: 0.3, shortest: undefined });
     expect(drawing(...OUT, '--pen', '0.3', '--shortest', '0').options).toMatchObject({ kind: 'pen', shortest: 0 });
-    expect(drawing(...OUT, '--kind', 'pen').options.kind).toBe('pen');
+    expect(drawing(...OUT, '--kind', 'pen').options).toMatchObject({ kind: 'pen', lines: undefined });
+    expect(drawing(...OUT, '--kind', 'pen', '--lines', 'canvas').options.lines).toBe('canvas');
     expect(drawing(...OUT, '--no-shadows').options.shadows).toBe(false);
     expect(drawing(...OUT, '--shadows').options.shadows).toBe(true);
   });
@@ -179,6 +180,8 @@ test.each([
   [[...OUT, '--format', ''], '--format is "", but must be glb, gltf, obj'],
   [[...OUT, '--pen', 'thin'], '--pen is thin, but must be a number from 0.01 to 20, or several as "0.3, outlines 0.5"'],
   [[...OUT, '--pen', '0.3', '--kind', 'print'], '--pen and --kind print exclude each other'],
+  [[...OUT, '--lines', 'even'], '--lines is for a pen'],
+  [[...OUT, '--pen', '0.3', '--lines', 'odd'], '--lines is odd'],
   [[...OUT, '--shortest', '2'], '--shortest is for a pen'],
   [[...OUT, '--pen', '0.3', '--paper', '#ffffff'], '--paper is for print'],
   [[...OUT, '--paper', 'white'], '--paper is white, but must be a colour as "#f4f1e6"'],

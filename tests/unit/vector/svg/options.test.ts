@@ -27,6 +27,8 @@ describe('wrong options end in one sentence that names them', () => {
     [{ penWidth: 0.3 }, "drawSVG: penWidth is only for kind: 'pen'."],
     [{ leastWidth: -1 }, 'drawSVG.leastWidth: -1 is not a number in [0, ∞).'],
     [{ kind: 'pen', shortest: -1 }, 'drawSVG.shortest: -1 is not a number in [0, ∞).'],
+    [{ kind: 'pen', lines: 'odd' }, "drawSVG: lines is odd, but must be 'even' or 'canvas'."],
+    [{ lines: 'even' }, "drawSVG: lines is only for kind: 'pen'."],
     [{ shortest: 2 }, "drawSVG: shortest is only for kind: 'pen'."],
     [{ kind: 'pen', leastWidth: 0.1 }, "drawSVG: leastWidth is only for kind: 'print'."],
     [{ kind: 'pen', paper: 'white' }, "drawSVG: paper is only for kind: 'print'."],
