@@ -85,11 +85,26 @@ export class ChainBuilder {
   }
 
   /** Sets the last point to the mean of what two triangles give, and continues the line over the second. */
-  share(half: number, margin: number, triangle: number): void {
+  share(half: number, margin: number, triangle: number, shift?: readonly [number, number]): void {
     const last = this.count - 1;
+    if (shift) for (const k of [0, 1]) this.shifts[2 * last + k] = 0.5 * (this.shifts[2 * last + k] + shift[k]);
     this.halves[last] = 0.5 * (this.halves[last] + half);
     this.margins[last] = 0.5 * (this.margins[last] + margin);
     this.triangles[last] = triangle;
+  }
+
+  /** Continues with the points of another chain that begins where this one ends. */
+  append({ screen, world, halves, margins, triangles, field, shifts }: ChainBuilder): void {
+    for (const [own, others] of [
+      [this.screen, screen],
+      [this.world, world],
+      [this.halves, halves],
+      [this.margins, margins],
+      [this.triangles, triangles],
+      [this.field, field],
+      [this.shifts, shifts],
+    ])
+      for (const value of others) own.push(value);
   }
 
   /** @param hash a hash of the line in [0, 1) */

@@ -1,12 +1,14 @@
 import { FIELD_CONSTANTS, LINE_CONSTANTS } from '../look/constants/lineConstants.js';
 import { combined, lengthOf, type Vec3 } from '../look/vectors.js';
+import type { StrokeProfiles } from '../strokes/strokeProfiles.js';
 import type { SurfacePlace } from './LineSurface.js';
-import type { FamilyMeasure, LineTechnique, StrokePlace } from './lineMarks.js';
+import type { FamilyMeasure, HandPlace, LineTechnique, StrokePlace } from './lineMarks.js';
 import type { Projection } from './Projection.js';
 import { rowOctaves } from './shading/carving.js';
 import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } from './shading/crossedTones.js';
 import type { CutDirection, Field } from './shading/fieldAxis.js';
 import { handTone } from './shading/hand.js';
+import { cellsAlongAxes, cellsAlongForm, type FunctionAt } from './shading/handStrokes.js';
 import {
   COARSEST_OCTAVES,
   type CutFamilies,
@@ -37,13 +39,15 @@ export interface EngravedLook {
   /** Length of the strokes of a pen or a gouge: pixels, or 256ths of a tile. */
   strokeLength: number;
   spacing: LineSpacing;
-  /** Tone above which lines cross, and the angle, radians. */
+  /** Tone above which lines cross, and the angle, radians; below 0 for those of a hand that cross to the other side. */
   crossFrom: number;
   crossAngle: number;
   /** From 0, lines as by a ruling machine, to 1. */
   irregularity: number;
   /** Whether shadows are drawn by families of their own. */
   crossesInShadows: boolean;
+  /** The strokes that a hand draws in rows; null where none does. */
+  hand: StrokeProfiles | null;
 }
 
 /**
@@ -77,6 +81,8 @@ export interface EngravedPlace {
   flat: ScreenMap;
   /** The screen map of the flat triangle, with the same limit at grazing angles as the smooth one. */
   triangle: ScreenMap;
+  /** View units per pixel. */
+  unitsPerPixel: number;
 }
 
 /** Computes the lines of one surface: the functions whose level sets they are, and their widths. */
@@ -95,7 +101,8 @@ export class Engraver {
     const { crossAngle } = look;
     const across = { cosine: Math.cos(crossAngle), sine: Math.sin(crossAngle) };
     // Other families lean back: they halve the wider angle between the first family and those that cross it, so that 60° gives −60°.
-    const back = { cosine: Math.sin(crossAngle / 2), sine: -Math.cos(crossAngle / 2) };
+    const half = Math.abs(crossAngle) / 2;
+    const back = { cosine: Math.sin(half), sine: crossAngle < 0 ? Math.cos(half) : -Math.cos(half) };
     const [crossB, thirdB] = [across, back].map((lean): Lean => ({ ...lean, side: 'B' }));
     const [crossC, thirdC] = [across, back].map((lean): Lean => ({ ...lean, side: 'C' }));
     const first: Lean = { cosine: 1, sine: 0, side: null };
@@ -109,6 +116,11 @@ export class Engraver {
 
   get technique(): LineTechnique {
     return this.look.technique;
+  }
+
+  /** Whether lines are rows of strokes of a hand. */
+  get hasRows(): boolean {
+    return this.look.hand !== null;
   }
 
   /** The families that the surface may have. */
@@ -137,6 +149,7 @@ export class Engraver {
       smooth: screenMap(place.fieldNormal, smooth, seen),
       flat: screenMap(place.flatNormal, flat, seen, true),
       triangle: screenMap(place.flatNormal, flat, seen),
+      unitsPerPixel,
     };
   }
 
@@ -158,7 +171,7 @@ export class Engraver {
 
   measure(family: FamilyName, at: EngravedPlace, tones: Tones): FamilyMeasure {
     const reading = this.read(family, at);
-    const { spacing, technique, irregularity } = this.look;
+    const { spacing, technique, irregularity, hand } = this.look;
     const { smooth, flat, triangle } = at;
     const { gradient, rise, coarsest, pressure } = reading;
     const tone = handTone(pressure, this.toneOf(family, reading, tones));
@@ -174,7 +187,8 @@ export class Engraver {
       // Lines that follow the form have other numbers on the other side of a seam, so they cannot dissolve one by one.
       left: this.cut === null ? 1 : tones.left,
       isEven: this.cut !== null && technique === 'engraving',
-      strokes: technique === 'engraving' ? null : this.strokesAt(technique, at, reading, cutOctave),
+      strokes: technique === 'engraving' || hand ? null : this.strokesAt(technique, at, reading, cutOctave),
+      hand: hand && this.handAt(hand, at, reading),
     };
   }
 
@@ -193,7 +207,7 @@ export class Engraver {
     if (isShadow) left = leftOf(tones.tone, tones.unshadowed);
     // Two families cross at a slant and would leave rows of rhombs open in the darks: the third leans back.
     else if (family.startsWith('third')) left = leftOf(others, second);
-    const leansOther = isShadow || family.startsWith('third');
+    const leansOther = this.leans[family].sine < 0;
     const tone = sharedByTwo(left, leansOther ? otherShare(shareB, firstShare) : shareB)[family.endsWith('B') ? 0 : 1];
     // Negligible tones have no lines.
     return tone <= LEAST_TONE ? 0 : tone;
@@ -215,8 +229,27 @@ export class Engraver {
     };
   }
 
-  private read(family: FamilyName, { cut: reading, place: { field, form, formCrossing } }: EngravedPlace): Reading {
-    const { irregularity, direction, technique } = this.look;
+  private handAt(profiles: StrokeProfiles, at: EngravedPlace, reading: Reading): HandPlace {
+    const { place, smooth, flat, unitsPerPixel } = at;
+    const { gradient, value, coarsest } = reading;
+    const { strokeLength, spacing } = this.look;
+    const seen = { map: smooth, unitsPerPixel };
+    const length = { strokeLength, screenSpaceShare: spacing.screenSpaceShare };
+    const isFirst = value === this.valueAt('first', at);
+    const isCut = this.cut !== null;
+    return {
+      profiles,
+      cells: isCut
+        ? cellsAlongAxes(gradient, place.field, place.fieldNormal, seen, length)
+        : cellsAlongForm(gradient, this.formAt(isFirst ? 1 : 0, place), seen, length),
+      value,
+      repeat: isCut ? Infinity : powerOf2(coarsest),
+      isDark: isFirst ? 0 : 1,
+      uphill: uphillOnPicture(gradient, flat),
+    };
+  }
+
+  private read(family: FamilyName, { cut: reading, place }: EngravedPlace): Reading {
     if (this.cut !== null && reading !== null) {
       const lean = this.leans[family];
       return {
@@ -227,20 +260,33 @@ export class Engraver {
         coarsest: ANY_OCTAVE,
       };
     }
-    const isAcross = direction === 'acrossForm';
-    const [first, other] = isAcross ? [formCrossing, form] : [form, formCrossing];
-    const coarsest = isAcross ? COARSEST_OCTAVES.toReversed() : COARSEST_OCTAVES;
-    const a = readForm(first, field, irregularity, technique === 'engraving');
-    const rest = { pressure: a.pressure, firstShare: 1, shareB: 1 };
-    if (family === 'first') {
-      const { gradient } = first;
-      return { value: a.value, gradient, rise: lengthOf(gradient), coarsest: coarsest[0], ...rest };
-    }
-    const b = readForm(other, field, irregularity, technique === 'engraving');
-    const rise = lengthOf(other.gradient);
-    if (family === 'crossB') return { value: b.value, gradient: other.gradient, rise, coarsest: coarsest[1], ...rest };
+    const first = this.formAt(0, place);
+    const rest = { pressure: first.pressure, firstShare: 1, shareB: 1 };
+    if (family === 'first') return { ...first, ...rest };
+    const other = this.formAt(1, place);
+    if (this.leans[family].sine >= 0) return { ...other, ...rest };
     // The difference of the two functions is whole across seams too, and its lines lean the other way.
-    const gradient = combined(1, first.gradient, -1, other.gradient);
-    return { value: a.value - b.value, gradient, rise, coarsest: Math.min(...coarsest), ...rest };
+    return {
+      value: first.value - other.value,
+      gradient: combined(1, first.gradient, -1, other.gradient),
+      rise: other.rise,
+      coarsest: Math.min(first.coarsest, other.coarsest),
+      ...rest,
+    };
+  }
+
+  /** One of the two functions of the form: the first family's, or the one that crosses it. */
+  private formAt(which: 0 | 1, { field, form, formCrossing }: SurfacePlace): FunctionAt & { pressure: number } {
+    const { irregularity, direction, technique } = this.look;
+    const index = direction === 'acrossForm' ? 1 - which : which;
+    const read = [form, formCrossing][index];
+    const { gradient } = read;
+    const coarsest = COARSEST_OCTAVES[index];
+    return {
+      ...readForm(read, field, irregularity, technique === 'engraving'),
+      gradient,
+      rise: lengthOf(gradient),
+      coarsest,
+    };
   }
 }

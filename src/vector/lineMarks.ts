@@ -2,6 +2,7 @@ import { smoothstep } from '../look/vectors.js';
 import { cutFor, cutWidth } from './shading/carving.js';
 import { lineLeft } from './shading/groundShadow.js';
 import { handWidth } from './shading/hand.js';
+import { type HandRows, type RowStroke, rowsFor, strokesOnRow } from './shading/handStrokes.js';
 import { penMargin } from './shading/penLines.js';
 import { drawnShare, type Pen, penFor, strokeAt } from './shading/penStrokes.js';
 import { powerOf2, roomOf } from './shading/ruledLines.js';
@@ -27,6 +28,14 @@ export interface FamilyMeasure {
   isEven: boolean;
   /** Null for media without strokes. */
   strokes: StrokePlace | null;
+  /** Null where no hand draws. */
+  hand: HandPlace | null;
+}
+
+/** A place on the rows of a hand. */
+export interface HandPlace extends HandRows {
+  /** The unit direction on the picture in which the function rises. */
+  uphill: readonly [number, number];
 }
 
 /** A place along the strokes of a family. */
@@ -115,6 +124,8 @@ export const printedOctave = ({ octave, strokes }: FamilyMeasure): number =>
 
 /** The octave of the finest lines that a pen may need at a place. */
 export function plottedOctave(measure: FamilyMeasure, pen: number): number {
+  // A pen draws the same strokes of a hand as a print.
+  if (measure.hand) return printedOctave(measure);
   const { perPixel, strokes, octave } = measure;
   // Cells of the block are no wider than the pen, so that it fills them.
   if (strokes?.technique === 'woodcut') return Math.min(Math.log2(pen * perPixel), octave);
@@ -160,8 +171,18 @@ const unrepeatedPen = (measure: FamilyMeasure, strokes: StrokePlace): Pen =>
 const penOf = ({ tone, octave }: FamilyMeasure, { along, irregularity, repeat }: StrokePlace): Pen =>
   penFor(tone, along, irregularity, repeat, octave);
 
+/**
+ * The strokes of a hand on a row, as a place sees them.
+ *
+ * @param row its value there
+ * @param beyond as in `strokesOnRow`
+ */
+export function handStrokes({ tone, octave, perPixel, hand }: FamilyMeasure, row: number, beyond = 0): RowStroke[] {
+  return hand && tone > 0 ? strokesOnRow(rowsFor(hand, tone, octave, perPixel), row, beyond) : [];
+}
+
 /** The value of a line at a place: across seams of the form it differs from that where the line begins. */
-function sameLine({ value, repeat }: StrokePlace, line: Line): number {
+export function sameLine({ value, repeat }: { value: number; repeat: number }, line: Line): number {
   if (repeat === Infinity) return line.value;
   // An odd multiple of its power of two, except for the line through 0.
   const unit = 2 ** (line.rank + 1);

@@ -79,7 +79,7 @@ class VertexReader {
     private readonly into: readonly FamilyVertices[],
   ) {
     this.shadowings = tracing.toneReader.hasShadows ? ['none', 'all'] : ['none'];
-    this.leastTone = tracing.pen === null ? LEAST_TONE : LEAST_PEN_TONE;
+    this.leastTone = tracing.pen === null || tracing.engraver.hasRows ? LEAST_TONE : LEAST_PEN_TONE;
   }
 
   read(vertex: number, triangle: number): void {

@@ -1,3 +1,7 @@
+import type { HandNumbers } from '../../src/strokes/hand/Hand.js';
+import { learnHand } from '../../src/strokes/hand/learnHand.js';
+import { drawSwatches } from '../../src/strokes/hands/drawSwatch.js';
+import { exampleHabits } from '../../src/strokes/hands/exampleHabits.js';
 import { quickOnly } from '../browser/quickIf.js';
 import type { TestOnOnePage } from '../browser/test.js';
 import type { ReferenceLight } from '../reference/hatchingReference.js';
@@ -46,6 +50,16 @@ const form: NonNullable<LineSettings['form']> = [
   { linear: [4.5, -2.2, 1], squares: [0, 0.5, -0.3] },
 ];
 
+/** A hand with bundles, gaps and slants, whose strokes cross. */
+const reedPen = learnHand(drawSwatches(exampleHabits.reedPen, 1));
+const handWith = (numbers: Partial<HandNumbers>): LineSettings['hand'] => ({
+  ...reedPen,
+  numbers: { ...reedPen.numbers, ...numbers },
+});
+const hand = handWith({ crossingAngle: 55, crossingFrom: 0.4 });
+const handBack = handWith({ crossingAngle: -50, crossingFrom: 0.3, clustering: 0 });
+const handAlone = handWith({ crossingAngle: 0, length: 4, clustering: 0.9 });
+
 const formCases: readonly EngravedCase[] = [
   { name: 'along the form' },
   { name: 'along the form, a ruling machine', lines: { irregularity: 0 } },
@@ -62,6 +76,16 @@ const formCases: readonly EngravedCase[] = [
   { name: 'along the form of a geometry off its origin', mesh: moved(torus, 3), matrixWorld: movedBack(3) },
   { name: 'along the form, orthographic camera', isOrthographic: true },
   { name: 'along the form, with a pen', lines: { technique: 'pen', lineSpacing: 9 } },
+  { name: 'along the form, with a hand', lines: { technique: 'pen', hand } },
+  {
+    name: 'across the form, with a hand that crosses back',
+    lines: { technique: 'pen', hand: handBack, direction: 'acrossForm' },
+  },
+  {
+    name: 'along the form, with a hand, sized on the object',
+    screenSpaceShare: 0,
+    lines: { technique: 'pen', hand: handAlone },
+  },
   { name: 'along the form, carved', lines: { technique: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
   ...(['tone', 'cross', 'reorient'] as const).map((shadowStrokes) => ({
     name: `along the form, in shadow, ${shadowStrokes}`,
@@ -87,6 +111,14 @@ const cases: EngravedCase[] = [
     name: 'with a pen, aslant, crossing from light tones on',
     matrixWorld: placed,
     lines: { technique: 'pen', direction: 'slant', crossFrom: 0.2, lineSpacing: 7 },
+  },
+  { name: 'with a hand', matrixWorld: placed, lines: { technique: 'pen', hand } },
+  { name: 'with a hand that crosses back, aslant', lines: { technique: 'pen', hand: handBack, direction: 'slant' } },
+  {
+    name: 'with a hand, towards a near lamp, crossed by shadow',
+    lights: [lamp, blocked],
+    lines: { technique: 'pen', hand: handAlone, direction: 'towardsLight' },
+    material: { shadowStrokes: 'cross' },
   },
   { name: 'across a slant', lines: { direction: 'slant' } },
   { name: 'carved', lines: { technique: 'woodcut', crossFrom: 1, lineSpacing: 9 } },
@@ -204,8 +236,9 @@ const specFor = ({ lines, ...rest }: EngravedCase): HatchingSpec => ({
   },
 });
 
-/** The page's input for all cases of `engraving`, by name. */
-export const engravingSpecs = (): Map<string, HatchingSpec> => new Map(cases.map((one) => [one.name, specFor(one)]));
+/** The page's input for all cases of `engraving` without hands, whose strokes only WebGLRenderer draws, by name. */
+export const engravingSpecs = (): Map<string, HatchingSpec> =>
+  new Map(cases.filter(({ lines }) => !lines?.hand).map((one) => [one.name, specFor(one)]));
 
 /** Names of cases that together have each light, layer, field, placement and look. */
 const detailsOf = quickOnly(
@@ -218,6 +251,8 @@ const detailsOf = quickOnly(
     'towards the light, a ruling machine',
     'across the axis y',
     'along the form, with a pen',
+    'across the form, with a hand that crosses back',
+    'with a hand',
     'carved, placed and crossed by shadow',
     'sized on the object',
     'object scaled unequally',

@@ -1,13 +1,16 @@
 import { mat4, vec3 } from 'gl-matrix';
 import { LINE_CONSTANTS } from '../../src/look/constants/lineConstants.js';
 import { combined, dot, normalize, type Vec3 } from '../../src/look/vectors.js';
+import { MOST_ROWS } from '../../src/strokes/handConstants.js';
+import { strokeProfiles } from '../../src/strokes/strokeProfiles.js';
 import { type EngravedLook, Engraver } from '../../src/vector/Engraver.js';
 import type { SurfacePlace } from '../../src/vector/LineSurface.js';
-import type { FamilyMeasure } from '../../src/vector/lineMarks.js';
+import type { FamilyMeasure, HandPlace } from '../../src/vector/lineMarks.js';
 import { Projection } from '../../src/vector/Projection.js';
 import { cutFor, cutWidth } from '../../src/vector/shading/carving.js';
 import { across, type CutDirection, type Field, fieldLight, firstField } from '../../src/vector/shading/fieldAxis.js';
 import { handWidth } from '../../src/vector/shading/hand.js';
+import { rowsFor, strokesOnRow } from '../../src/vector/shading/handStrokes.js';
 import { formVarying } from '../../src/vector/shading/lineFunctions.js';
 import { penFor, strokeAt } from '../../src/vector/shading/penStrokes.js';
 import { powerOf2, roomOf } from '../../src/vector/shading/ruledLines.js';
@@ -20,6 +23,9 @@ import type { DarknessOf } from './referenceCase.js';
 
 const DIRECTED: readonly ReferenceLight['type'][] = ['directional', 'point', 'spot'];
 const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];
+
+/** Where a material gives no width of strokes. */
+const PIXELS_PER_MILLIMETRE = 6;
 
 /** The input of the darkness of engraved lines. */
 export type EngravedScene = Pick<HatchingSpec, 'lights' | 'matrixWorld' | 'camera' | 'width' | 'height'> & {
@@ -42,6 +48,7 @@ export function engravingDarkness(scene: EngravedScene, reference: HatchingRefer
     crossFrom,
     crossAngle,
     irregularity,
+    hand = null,
   } = lines;
   const { tilesPerObjectUnit, strokeAngle, shadowStrokes } = material;
   const world = mat4.invert(mat4.create(), camera.view as unknown as mat4)!;
@@ -54,11 +61,20 @@ export function engravingDarkness(scene: EngravedScene, reference: HatchingRefer
     tilesPerObjectUnit * back[8 + i],
   ];
   const viewToField: Mat3 = [row(0), row(1), row(2)];
+  const profiles = hand && strokeProfiles(hand);
   const look: Omit<EngravedLook, 'direction'> = {
     ...{ technique, strokeLength, crossFrom, crossAngle, irregularity },
     spacing: { lineSpacing, minLineSpacing: 3, screenSpaceShare },
     crossesInShadows: shadowStrokes === 'cross',
+    hand: profiles,
   };
+  if (hand && profiles) {
+    look.spacing.lineSpacing = PIXELS_PER_MILLIMETRE * profiles.spacing;
+    look.strokeLength = PIXELS_PER_MILLIMETRE * profiles.cell;
+    look.irregularity = 0;
+    look.crossFrom = hand.numbers.crossingAngle === 0 ? 1 : hand.numbers.crossingFrom;
+    look.crossAngle = (hand.numbers.crossingAngle * Math.PI) / 180;
+  }
 
   const lightFrom = (arriving: readonly ReferenceLight[]): Field =>
     fieldLight(
@@ -118,7 +134,8 @@ export function engravingDarkness(scene: EngravedScene, reference: HatchingRefer
         const [smooth, seen] = [read.smooth, read.triangle].map((map) => changePerPixel(gradient, map));
         const perPixel = Math.max(seen, LINE_CONSTANTS.LEAST_OF_SMOOTH * smooth);
         const measure = { ...engraver.measure(family, read, tones), perPixel };
-        return blank * (1 - familyDarkness(measure, engraver.valueAt(family, read)));
+        const value = engraver.valueAt(family, read);
+        return blank * (1 - (measure.hand ? rowsDarkness(measure, measure.hand) : familyDarkness(measure, value)));
       }, 1)
     );
   };
@@ -127,6 +144,18 @@ export function engravingDarkness(scene: EngravedScene, reference: HatchingRefer
 /** The share of a pixel that a line covers, by the distance from its middle and half its width, as in `lineCoverage.glsl`. */
 export const coverage = (away: number, half: number): number =>
   Math.min(Math.max(Math.max(half, 0.5) + 0.5 - away, 0), 1) * Math.min(2 * half, 1);
+
+/** The darkness of the strokes of a hand in the rows of a family, where its function has a value. */
+function rowsDarkness({ tone, octave, perPixel }: FamilyMeasure, hand: HandPlace): number {
+  if (tone === 0) return 0;
+  const rows = rowsFor(hand, tone, octave, perPixel);
+  const step = 0.5 * rows.period;
+  let blank = 1;
+  for (let k = Math.floor(rows.value / step) - MOST_ROWS; k <= rows.value / step + MOST_ROWS; k++)
+    for (const { shift, half } of strokesOnRow(rows, k * step))
+      blank *= 1 - coverage(Math.abs((rows.value - k * step) / perPixel - shift), half);
+  return 1 - blank;
+}
 
 /** The darkness of one family, where its function has a value: the sum over the lines that may touch the pixel. */
 function familyDarkness({ tone, octave, perPixel, widths, strokes }: FamilyMeasure, value: number): number {

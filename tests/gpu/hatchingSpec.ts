@@ -1,4 +1,5 @@
 import type { StrokeDirection } from '../../src/look/hatchingProperties.js';
+import type { Hand } from '../../src/strokes/hand/Hand.js';
 import type { ReferenceLight, ReferenceMaterial } from '../reference/hatchingReference.js';
 import type { ReferenceCamera } from '../reference/rasterizeReference.js';
 import type { AnalyticMapName } from './analyticMaps.js';
@@ -16,6 +17,8 @@ export interface LineSettings {
   irregularity: number;
   /** Default: 'engraving'. */
   technique?: 'engraving' | 'pen' | 'woodcut';
+  /** With the technique `pen`: its numbers take the place of those above. */
+  hand?: Hand;
 }
 
 /** A picture to render, as plain data: what the test page and the reference both understand. */

@@ -14,7 +14,7 @@ export const ROOMS = {
   // The library, with three.js.
   material: ['mesh', 'strokes', 'worker', 'look', '/shaders'],
   scene: ['mesh', 'strokes', 'worker', 'look', 'material'],
-  vector: ['mesh', 'worker', 'look', 'material'],
+  vector: ['mesh', 'strokes', 'worker', 'look', 'material'],
   webgpu: ['mesh', 'look', 'material', 'scene'],
   'index.ts': ['mesh', 'strokes', 'worker', 'look', 'material', 'scene'],
   'development.ts': ['material', 'index.ts'],

@@ -1,5 +1,6 @@
 import type { BufferGeometry, Camera, IUniform, Mesh, Object3D, WebGLRenderer } from 'three';
 import type { Hand } from '../../strokes/hand/Hand.js';
+import type { StrokeProfiles } from '../../strokes/strokeProfiles.js';
 import type { VertexLayout } from '../deformation/canDeform.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
 import type { ShaderFiles } from '../shaders/hatchingShaders.js';
@@ -23,6 +24,12 @@ export interface MaterialPart {
   writeUniforms?(uniforms: Record<string, IUniform>, material: HatchingMaterialProperties, pixelRatio: number): void;
   /** @throws TypeError or RangeError with the fault of a hand */
   checkHand?(hand: Hand): void;
+  /**
+   * The strokes of a hand as they are drawn in rows.
+   *
+   * @throws TypeError or RangeError with the fault of the hand
+   */
+  profilesOf?(hand: Hand): StrokeProfiles;
   /**
    * Sets the uniforms for a mesh that the material is about to draw.
    *

@@ -29,7 +29,10 @@ export const part: MaterialPart = {
     ].join('\n'),
   },
   checkHand(hand) {
-    textures.check(hand);
+    textures.profilesOf(hand);
+  },
+  profilesOf(hand) {
+    return textures.profilesOf(hand);
   },
   writeUniforms(u, material, pixelRatio) {
     const { hand, screenSpaceShare, strokeWidth } = material;
@@ -51,7 +54,7 @@ export const part: MaterialPart = {
     const angle = (crossingAngle * Math.PI) / 180;
     const half = Math.abs(angle) / 2;
     // The third family leans to the side that the second does not.
-    const side = Math.sign(crossingAngle);
+    const side = crossingAngle < 0 ? -1 : 1;
     u.layerTurns.value.set(Math.cos(angle), Math.sin(angle), -Math.sin(half), side * Math.cos(half));
   },
 };

@@ -34,6 +34,9 @@ export interface LookOfParts {
   readonly hand?: unknown;
 }
 
+/** Whether a look draws the strokes of a hand in rows. */
+export const drawsHand = ({ technique, hand }: LookOfParts): boolean => partNameOf(technique, hand) === 'handStrokes';
+
 /** A part that has loaded; undefined if it has not. */
 export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched.get(name);
 

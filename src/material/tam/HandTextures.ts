@@ -23,13 +23,15 @@ export class HandTextures {
   private checked: { readonly hand: Hand; readonly profiles: StrokeProfiles } | null = null;
 
   /**
-   * Prepares the strokes of a hand that is about to be drawn, unless they are.
+   * The strokes of a hand. Those of one that is not drawn yet are kept until it is, or until another is asked for.
    *
    * @throws TypeError or RangeError with the fault of the hand
    */
-  check(hand: Hand): void {
-    if (this.drawn.has(hand) || this.checked?.hand === hand) return;
-    this.checked = { hand, profiles: strokeProfiles(hand) };
+  profilesOf(hand: Hand): StrokeProfiles {
+    const drawn = this.drawn.get(hand);
+    if (drawn) return drawn.profiles;
+    if (this.checked?.hand !== hand) this.checked = { hand, profiles: strokeProfiles(hand) };
+    return this.checked.profiles;
   }
 
   /**
@@ -52,8 +54,7 @@ export class HandTextures {
     const before = this.chosen.get(material);
     const known = this.drawn.get(hand);
     if (before === hand && known) return known;
-    if (!known) this.check(hand);
-    const profiles = known?.profiles ?? this.checked!.profiles;
+    const profiles = this.profilesOf(hand);
     this.checked = null;
     if (before === undefined) material.addEventListener('dispose', this.release);
     const left = before && this.leave(before);

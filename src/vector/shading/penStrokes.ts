@@ -63,14 +63,14 @@ function bornBelow(share: number): number {
 }
 
 /** Random bits of a line, from which the hashes of its strokes are made. */
-function bitsOfLine(line: number): number {
+export function bitsOfLine(line: number): number {
   const word = bitsOf(line);
   const spread = Math.imul(word ^ (word >>> 12), GOLDEN_RATIO);
   return Math.imul(spread ^ (spread >>> 13), THIRD_FACTOR);
 }
 
 /** A hash of a stroke in [0, 1), far from those of its neighbours on the line. */
-const strokeHash01 = (bits: number, stroke: number): number =>
+export const strokeHash01 = (bits: number, stroke: number): number =>
   ((bits + Math.imul(stroke, THUE_MORSE)) >>> 8) / 16777216;
 
 const fract = (x: number): number => x - Math.floor(x);

@@ -31,7 +31,28 @@ export interface StrokeLength {
 
 type Pair = readonly [number, number];
 
-const crossed = (a: Pair, b: Pair): number => Math.abs(a[0] * b[1] - a[1] * b[0]);
+export const crossed = (a: Pair, b: Pair): number => Math.abs(a[0] * b[1] - a[1] * b[0]);
+
+/**
+ * The two axes of the field along which lines run most, and the share of the first.
+ *
+ * @param normal of any length
+ * @param gradient of the function whose level sets are lines, of any length
+ */
+export function axesAlong(normal: Vec3, gradient: Vec3): { first: number; second: number; share: number } {
+  const direction = cross(normal, gradient);
+  const size = Math.max(dot(direction, direction), 1e-20);
+  const squares = direction.map((part) => (part * part) / size);
+  const [x, y, z] = squares;
+  // The axis along which the lines run least is left out.
+  let [first, second] = [0, 1];
+  if (x < Math.min(y, z)) first = 2;
+  else if (y < z) second = 2;
+  return { first, second, share: smoothstep(-AXES_FADE, AXES_FADE, squares[first] - squares[second]) };
+}
+
+/** The unit vector along an axis of the field. */
+export const axisOf = (axis: number): Vec3 => [Number(axis === 0), Number(axis === 1), Number(axis === 2)];
 
 /**
  * @param place field space, tiles, before the hand displaces it
@@ -45,20 +66,11 @@ export function alongLines(
   map: ScreenMap,
   { strokeLength, screenSpaceShare }: StrokeLength,
 ): Along {
-  const direction = cross(normal, gradient);
-  const size = Math.max(dot(direction, direction), 1e-20);
-  const [x, y, z] = direction.map((part) => (part * part) / size);
-  // The axis along which the lines run least is left out.
-  let [first, second] = [0, 1];
-  if (x < Math.min(y, z)) first = 2;
-  else if (y < z) second = 2;
-  const squares = [x, y, z];
-  const share = smoothstep(-AXES_FADE, AXES_FADE, squares[first] - squares[second]);
+  const { first, second, share } = axesAlong(normal, gradient);
   const onScreen = screenGradient(gradient, map);
   const length = Math.hypot(...onScreen) || 1;
   const value: Pair = [onScreen[0] / length, onScreen[1] / length];
-  const rateOf = (axis: number): number =>
-    crossed(screenGradient([Number(axis === 0), Number(axis === 1), Number(axis === 2)], map), value);
+  const rateOf = (axis: number): number => crossed(screenGradient(axisOf(axis), map), value);
   const perPixel = mix(rateOf(second), rateOf(first), share);
   const onObject = octaves(strokeLength / PARTS_OF_TILE);
   const octave = mix(onObject, octaves(strokeLength * Math.max(perPixel, 1e-12)), screenSpaceShare);

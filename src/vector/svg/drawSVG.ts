@@ -1,4 +1,6 @@
-import type { Camera, Object3D } from 'three';
+import type { Camera, Mesh, Object3D } from 'three';
+import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
+import { drawsHand, fetchPart } from '../../material/parts/parts.js';
 import { runSliced } from '../../mesh/runSliced.js';
 import { runTaskOf } from '../../worker/runTask.js';
 import type { TaskSet } from '../../worker/TaskSet.js';
@@ -27,6 +29,16 @@ function buffersOf({ corners, sides, surfaces, stippled, outlines }: DrawnScene)
     ]),
   ];
   return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
+}
+
+/** Fetches the code that prepares the strokes of hands, if materials of a scene draw with one. */
+async function fetchHands(scene: Object3D): Promise<void> {
+  let isDrawn = false;
+  scene.traverse((object) => {
+    for (const material of [(object as Mesh).material ?? []].flat())
+      isDrawn ||= 'isHatchingMaterial' in material && drawsHand(material as HatchingMaterial);
+  });
+  if (isDrawn) await fetchPart('handStrokes');
 }
 
 /** The share of reading the scene in the progress. */
@@ -100,6 +112,7 @@ export async function drawSVG(scene: Object3D, camera: Camera, options: DrawSVGO
   const plan = planOf(options, elements[5] > elements[0]);
   const { signal, onProgress, createWorker, shadows = true, clippingPlanes = [] } = options;
   const start = performance.now();
+  await fetchHands(scene);
   const read = async (onRead?: (progress: number) => void) => {
     const found = await runSliced(readScene(scene, camera, shadows, clippingPlanes, plan.pens), {
       signal,

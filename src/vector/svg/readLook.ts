@@ -19,7 +19,9 @@ import type { HatchingBackground } from '../../material/HatchingBackground.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import type { HatchingShadowMaterial } from '../../material/HatchingShadowMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../../material/hatchingUniforms.js';
+import { drawsHand, fetchedPart } from '../../material/parts/parts.js';
 import { writeSheet } from '../../material/pictureOffset.js';
+import type { StrokeProfiles } from '../../strokes/strokeProfiles.js';
 import type { DrawnBackground } from '../DrawnScene.js';
 import type { EngravedLook } from '../Engraver.js';
 import type { LineTechnique } from '../lineMarks.js';
@@ -46,23 +48,37 @@ function uniformsOf(material: HatchingMaterial): Record<string, IUniform> {
  * @param hasForm whether the geometry was prepared with its form
  */
 export function engravedLookOf(material: HatchingMaterial, hasForm: boolean): EngravedLook {
-  const { lineSpacing, minLineSpacing, crossFrom } = uniformsOf(material);
+  const uniforms = uniformsOf(material);
+  const hand = drawnHandOf(material, uniforms);
+  const { lineSpacing, strokeLength, minLineSpacing, crossFrom, layerTurns } = uniforms;
   const { technique, direction, shadowStrokes } = resolveLook(material, hasForm);
-  const { strokeLength, crossAngle, irregularity, screenSpaceShare } = material;
+  const { irregularity, screenSpaceShare } = material;
   return {
     direction: direction as EngravedLook['direction'],
     technique: technique as LineTechnique,
-    strokeLength,
+    strokeLength: strokeLength.value,
     spacing: {
       lineSpacing: lineSpacing.value * (isOfShadows(material) ? material.shadowSpacing : 1),
       minLineSpacing: minLineSpacing.value,
       screenSpaceShare,
     },
     crossFrom: crossFrom.value,
-    crossAngle,
-    irregularity,
+    crossAngle: Math.atan2(layerTurns.value.y, layerTurns.value.x),
+    irregularity: hand ? 0 : irregularity,
     crossesInShadows: shadowStrokes === 'cross',
+    hand,
   };
+}
+
+/**
+ * The strokes of the hand that a material draws with; null without one. Writes the sizes of its rows into the uniforms. A hand with a
+ * fault, which is reported, gives way to the one before it.
+ */
+function drawnHandOf(material: HatchingMaterial, uniforms: Record<string, IUniform>): StrokeProfiles | null {
+  const part = drawsHand(material) ? fetchedPart('handStrokes') : undefined;
+  if (!part?.profilesOf) return null;
+  part.writeUniforms?.(uniforms, material, 1);
+  return material.hand && part.profilesOf(material.hand);
 }
 
 /**

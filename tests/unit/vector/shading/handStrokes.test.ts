@@ -1,0 +1,72 @@
+import { expect, test } from 'vitest';
+import { HAND_TEXTURE } from '../../../../src/strokes/handConstants.js';
+import type { StrokeProfiles } from '../../../../src/strokes/strokeProfiles.js';
+import { type Cells, type RowStroke, rowsFor, strokesOnRow } from '../../../../src/vector/shading/handStrokes.js';
+
+const { PLACES, TONE_ROWS } = HAND_TEXTURE;
+
+/** A hand of one straight stroke beside its row, whose share grows with the tone. */
+const profiles: StrokeProfiles = {
+  count: 1,
+  strokes: Float32Array.from({ length: 2 * PLACES }, (_, i) => (i % 2 === 0 ? 0.25 : 0.125)),
+  tones: Array.from({ length: TONE_ROWS }, () =>
+    Array.from({ length: PLACES }, (_, i) => ({ share: i / (PLACES - 1), widening: 0 })),
+  ),
+  ...{ offset: 0.25, halfWidth: 0.125, bundled: 0, spacing: 1, cell: 1, filled: 0.75, shorter: 0 },
+};
+
+/** Cells of length 2, of one stroke each. */
+const cellsAt = (place: number, hasSeams = false): Cells => ({
+  coordinates: [{ id: 0, place, share: 1, perPixel: 0.01, askew: 0 }],
+  ...{ repeat: hasSeams ? 16 : 64, hasSeams, period: 2, paired: 0, longest: 1 },
+});
+
+/** The stroke on a row, at the place along it. Rows are 1 apart, and 40 pixels. */
+function strokeAt(line: number, place: number, tone = 1, hasSeams = false): RowStroke | undefined {
+  const hand = { profiles, cells: cellsAt(place, hasSeams), value: line, isDark: 0 as const };
+  const rows = rowsFor({ ...hand, repeat: hasSeams ? 16 : Infinity }, tone, 0, 1 / 40);
+  return strokesOnRow(rows, line)[0];
+}
+
+const places = Array.from({ length: 4000 }, (_, i) => 0.01 * i);
+
+test('a row in full tone is one whole stroke of the hand after the other, as far apart as cells', () => {
+  const strokes = places.map((place) => strokeAt(5, place));
+  const starts = places.filter((_, i) => i > 0 && strokes[i] && strokes[i]?.cell !== strokes[i - 1]?.cell);
+  expect(starts.length).toBeGreaterThan(17);
+  for (const [i, start] of starts.slice(1).entries()) expect(start - starts[i]).toBeLessThan(2 + 2 * 0.25);
+  const inside = strokes.filter((stroke) => stroke !== undefined);
+  expect(inside.length / places.length).toBeCloseTo(0.75, 1);
+  for (const { shift } of inside) expect(shift).toBeCloseTo(0.25 * 40, 6);
+  // Blunt ends are round.
+  expect(Math.max(...inside.map(({ half }) => half))).toBeCloseTo(0.125 * 40, 6);
+  expect(Math.min(...inside.map(({ half }) => half))).toBeLessThan(2.5);
+  for (const [i, stroke] of strokes.slice(1).entries())
+    if (stroke && stroke.cell === strokes[i]?.cell) expect(stroke.t).toBeGreaterThan(strokes[i]!.t);
+});
+
+test('in lighter tones as many strokes are there as the hand says', () => {
+  for (const tone of [0.1, 0.3, 0.6]) {
+    // A tone is that of strokes that fill their cells.
+    const share = 1 - (1 - tone) ** (1 / (1 - 0.03));
+    const there = Array.from({ length: 4000 }, (_, i) => strokeAt(i % 63, 2 * Math.floor(i / 63) + 1, tone));
+    const all = Array.from({ length: 4000 }, (_, i) => strokeAt(i % 63, 2 * Math.floor(i / 63) + 1, 1));
+    const found = there.filter(Boolean).length / all.filter(Boolean).length;
+    expect(Math.abs(found - share), `${tone}: ${found}, not ${share}`).toBeLessThan(0.12 * share + 0.01);
+  }
+});
+
+test('on the other side of a seam, where rows are numbered the other way, the strokes are the same', () => {
+  for (const place of places.slice(0, 800)) {
+    const [here, there] = [strokeAt(3, place, 0.8, true), strokeAt(-3, -place, 0.8, true)];
+    const farther = strokeAt(3 + 16, place + 32, 0.8, true);
+    expect(there?.t).toEqual(here?.t);
+    if (here) expect(there?.shift).toBe(-here.shift);
+    if (here) expect(farther?.t).toBeCloseTo(here.t, 9);
+    expect(farther?.cell).toBe(here?.cell);
+  }
+});
+
+test('rows between old ones and their middles are blank', () => {
+  expect(places.every((place) => strokeAt(0.25, place) === undefined)).toBe(true);
+});
