@@ -23,7 +23,7 @@ const SMALLEST = 4;
 
 /** Whether the lines of a surface can be placed on the sheet: it hides what is behind it, or is a ground, which is placed alone. */
 export const canBeEven = ({ engraved, hides, look }: EngravedSurface): boolean =>
-  engraved.technique !== 'woodcut' && (hides || look.ground !== null);
+  engraved.technique !== 'woodcut' && engraved.hand === null && (hides || look.ground !== null);
 
 /** A line of a pen on the picture. */
 export interface EvenLine {
