@@ -31,7 +31,7 @@ import type { HatchingMaterialParameters } from './checkValues.js';
 import { checkValues, warnOfUnused } from './checkValues.js';
 import { vertexLayoutOf } from './deformation/canDeform.js';
 import { silence } from './diagnostics/warn.js';
-import { isFitted, writeFit } from './exposure/ToneFit.js';
+import { isFitted } from './exposure/ToneFit.js';
 import { FrameStamp } from './FrameStamp.js';
 import { takesWeight, writeFading, writeImportance } from './fading/fading.js';
 import { DrawnMeshes } from './firstDraw/DrawnMeshes.js';
@@ -324,7 +324,7 @@ export class HatchingMaterial extends PropertyFields {
       if (surface && isFitted(this)) {
         const { composition } = this;
         const fit = composition.keptFit ?? surface.sceneExposure(renderer, scene, camera);
-        writeFit(composition.kept(fit), this, this.uniforms);
+        surface.writeFit(composition.kept(fit), this, this.uniforms);
       }
       if (surface) this.use('hasEnvironment', surface.bindEnvironment(renderer, scene, camera, this.uniforms));
     }

@@ -1,5 +1,6 @@
 import type { Object3D } from 'three';
 import { ExposureFit } from '../material/exposure/ExposureFit.js';
+import { planScene } from '../material/exposure/planScene.js';
 import type { ToneFit } from '../material/exposure/ToneFit.js';
 import { assertTree } from './assertTree.js';
 
@@ -27,7 +28,7 @@ export function fitExposure(scene: Object3D): ToneFit {
   assertTree('fitExposure', scene);
   scene.updateWorldMatrix(true, false);
   scene.updateMatrixWorld();
-  return { ...new ExposureFit().update(scene, ALL_LAYERS) };
+  return { ...new ExposureFit((use) => use(planScene)).update(scene, ALL_LAYERS) };
 }
 
 const ALL_LAYERS = 0xffffffff | 0;

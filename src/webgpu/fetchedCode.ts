@@ -1,7 +1,7 @@
 /** Code that is fetched when a material first needs it: patterns of techniques, and the fit of the exposure. */
 import type { Camera, DataTexture, IUniform, Scene, WebGLRenderer } from 'three';
 import type { HatchingTechnique } from '../look/hatchingProperties.js';
-import { isFitted, writeFit } from '../material/exposure/ToneFit.js';
+import { isFitted } from '../material/exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import type { hatchLayer } from './nodes/strokes/stipple.js';
 
@@ -105,7 +105,9 @@ const fitting = /* @__PURE__ */ new Later(
 
 /** Resolves when the code that fits a material's exposure is loaded, or is not needed. */
 export const exposureReady = async (material: HatchingMaterialProperties): Promise<void> => {
-  if (isFitted(material)) await fitting.fetch();
+  if (!isFitted(material)) return;
+  await fitting.fetch();
+  await fitting.code?.fetchPlansOf(material);
 };
 
 /** Writes the exposure that suits the scene kept or of the present frame, if `exposure` is fitted, once the code is loaded. */
@@ -119,7 +121,10 @@ export function writeExposure(
   if (!isFitted(material)) return;
   const { code } = fitting;
   const { composition } = material;
-  const fit = composition.keptFit ?? code?.sceneExposure(renderer, scene, camera);
-  if (fit) writeFit(composition.kept(fit), material, uniforms);
-  else fitting.ask();
+  if (!code) {
+    fitting.ask();
+    return;
+  }
+  const fit = composition.keptFit ?? code.sceneExposure(renderer, scene, camera);
+  code.writeFit(composition.kept(fit), material, uniforms);
 }

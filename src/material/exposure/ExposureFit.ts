@@ -16,13 +16,11 @@ import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.j
 import { type Arriving, LightsAround } from './LightsAround.js';
 import { openToLamps } from './openToLamps.js';
 import { colorWriter } from './pixelColors.js';
-import { planScene } from './planScene.js';
-import { WeightedColors } from './planValues.js';
 import { isFittedMaterial, SceneContents } from './SceneContents.js';
-import { SeenSurfaces } from './SeenSurfaces.js';
-import { surfaceKey } from './SurfaceTones.js';
 import { type SurfaceSamples, surfaceSamples } from './surfaceSamples.js';
-import { NO_PLAN, type ToneFit } from './ToneFit.js';
+import type { ToneFit, ValuePlan } from './ToneFit.js';
+import { type Color, WeightedColors } from './WeightedColors.js';
+import { WHITE_PLAN } from './writeFit.js';
 
 /** The number of bins: finer than differences of tone that are visible. */
 const BINS = 4096;
@@ -133,12 +131,31 @@ const MAX_MESHES = 512;
  */
 const SAMPLES_OF_ONE = { least: 1 << 4, most: 1 << 10 };
 const TRIANGLES_PER_SAMPLE = 1 << 4;
-/** The distance up to which surfaces lie side by side, as a multiple of that between samples. */
-const REACH = 2;
 /** The greatest number of instances of a mesh that are sampled. */
 const MAX_INSTANCES = 16;
 /** The number of directions, evenly spread, in which a sphere is sampled relative to its light. */
 const SPHERE_STEPS = 200;
+
+/** The code that plans the values of a scene that is not white all over. */
+export type PlanScene = (colors: readonly Color[], samples: Samples) => ValuePlan;
+
+/** The samples of the surfaces of a scene. */
+export interface Samples {
+  /** The distance between samples in the world, on the whole. */
+  readonly spacing: number;
+  /** The number of parts that each place stands for. */
+  readonly counts: readonly number[];
+  /** Calls back with each sample, how much of it is seen, and the index of its place. */
+  readonly visit: (use: (sample: Sample, seen: number, place: number) => void) => void;
+}
+
+/** What the places of a scene have in common. */
+interface Whole {
+  /** The area of all of them. */
+  readonly area: number;
+  /** The occlusion that counts as open. */
+  readonly openOcclusion: number;
+}
 
 /** A surface at one place in the world. */
 interface Place {
@@ -158,7 +175,7 @@ const emittedBy = ({ emissive, emissiveIntensity, emissiveMap }: HatchingMateria
 
 /** The exposure of a scene, fitted to its lights and kept until something changes. */
 export class ExposureFit {
-  readonly fit: ToneFit = { scale: 1, offset: 0, white: 1, openOcclusion: 0, plan: NO_PLAN };
+  readonly fit: ToneFit = { scale: 1, offset: 0, white: 1, openOcclusion: 0, plan: WHITE_PLAN };
   private readonly contents = new SceneContents();
   private readonly arriving = new WeightedValues();
   private readonly wanted = new WeightedValues();
@@ -166,8 +183,10 @@ export class ExposureFit {
   private readonly fromAbove = new WeightedValues();
   private readonly fromAround = new WeightedValues();
   private readonly colors = new WeightedColors();
-  private readonly surfaces = new SeenSurfaces();
   private isStale = true;
+
+  /** @param withPlanner calls back with the code that plans values, at once or when it is there */
+  constructor(private readonly withPlanner: (use: (planScene: PlanScene) => void) => void) {}
 
   /**
    * Updates the fit for a scene whose world matrices are up to date.
@@ -177,19 +196,36 @@ export class ExposureFit {
   update(scene: Object3D, layers: number): ToneFit {
     if (!this.contents.read(scene, layers) && !this.isStale) return this.fit;
     this.isStale = false;
-    const { arriving, wanted, lightness, fromAbove, fromAround, colors, surfaces, contents } = this;
-    for (const values of [arriving, wanted, lightness, fromAbove, fromAround, colors, surfaces]) values.clear();
+    const { arriving, wanted, lightness, fromAbove, fromAround, colors, contents } = this;
+    for (const values of [arriving, wanted, lightness, fromAbove, fromAround, colors]) values.clear();
     const all = placesOf(contents);
     const openOcclusion = openOcclusionOf(all, { fromAbove, fromAround });
     const places = formedAmong(all);
     const lights = new LightsAround(contents);
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
-    for (const place of places) addPlace({ arriving, lightness, colors, surfaces }, place, lights, area, openOcclusion);
+    for (const place of places) addPlace({ arriving, lightness, colors }, place, lights, { area, openOcclusion });
     for (const [material, share] of responsesOf(places)) addSphere(wanted, material, share);
-    const plan = colors.isUnchanged
-      ? this.fit.plan
-      : planScene(colors, surfaces, REACH * Math.sqrt(area / MAX_SAMPLES));
+    const plan = colors.isUnchanged ? this.fit.plan : this.planned(places, { area, openOcclusion });
     return Object.assign(this.fit, fitTones(arriving, wanted, lightness), { openOcclusion, plan });
+  }
+
+  /** A plan of the values of the colours: until the code for it is there, that of white. */
+  private planned(places: readonly Place[], whole: Whole): ValuePlan {
+    const plan = { ...WHITE_PLAN };
+    const { isWhite, means } = this.colors;
+    const samples: Samples = {
+      spacing: Math.sqrt(whole.area / MAX_SAMPLES),
+      counts: places.map(({ weight }) => weight),
+      visit: (use) => {
+        for (const [i, place] of places.entries())
+          visitSamples(place, whole, (one) => {
+            const { y } = one.normal;
+            use(one, seenOf(one, y) + (one.sides === 2 ? seenOf(one, -y) : 0), i);
+          });
+      },
+    };
+    if (!isWhite) this.withPlanner((planScene) => Object.assign(plan, planScene(means, samples)));
+    return plan;
   }
 }
 
@@ -245,7 +281,6 @@ function matricesOf(mesh: Mesh): Matrix4[] {
   ];
 }
 
-const position = /* @__PURE__ */ new Vector3();
 const normal = /* @__PURE__ */ new Vector3();
 const toWorldNormal = /* @__PURE__ */ new Matrix3();
 const light: Arriving = { direct: 0, indirect: 0, reflected: 0 };
@@ -305,81 +340,81 @@ interface Seen {
   arriving: WeightedValues;
   lightness: WeightedValues;
   colors: WeightedColors;
-  surfaces: SeenSurfaces;
 }
 
 /** How much a surface that faces the ground counts in the plan of values, beside nearly 1 for one that faces upwards. */
 const FROM_BELOW = 0.05;
 
-const color = /* @__PURE__ */ new Float64Array(3);
-
-/** What a material makes of the samples of a place. */
-interface Paint {
+/** A sample of a surface in the world. The next one overwrites it. */
+export interface Sample {
   material: HatchingMaterialProperties;
-  /** The index of its surface; undefined where colours make no tone. */
-  surface: number | undefined;
-  emitted: number;
-  /** Writes the colour of a sample; null where colours make no tone. */
-  writeColor: ReturnType<typeof colorWriter> | null;
+  readonly position: Vector3;
+  /** The normal of the side that is drawn, or of the front if both are. */
+  readonly normal: Vector3;
+  /** Its colour in linear light; white where colours make no tone. */
+  readonly color: Float64Array;
+  area: number;
+  /** The number of sides that are drawn. */
+  sides: number;
+  /** The occlusion of the side that is more open. */
+  occluded: number;
 }
 
-/** Finds the paint of each sample of a place; undefined for a sample that is not drawn or whose exposure is not fitted. */
-function paintsOf({ samples, material, materials }: Place, surfaces: SeenSurfaces): (i: number) => Paint | undefined {
-  const paintOf = (one: HatchingMaterialProperties): Paint => {
-    const isToned = one.colorHatching > 0;
-    return {
-      material: one,
-      surface: isToned ? surfaces.indexOf(surfaceKey(one)) : undefined,
-      emitted: emittedBy(one),
-      writeColor: isToned ? colorWriter(one, samples) : null,
-    };
-  };
-  const { groups } = samples;
-  if (!groups || !Array.isArray(materials)) {
-    const paint = paintOf(material);
-    return () => paint;
-  }
-  const paints = (materials as readonly Material[]).map((one) =>
-    isFittedMaterial(one) ? paintOf(one as unknown as HatchingMaterialProperties) : undefined,
-  );
-  return (i) => paints[groups[i]];
-}
+const sample: Sample = /* @__PURE__ */ {
+  material: undefined as unknown as HatchingMaterialProperties,
+  position: /* @__PURE__ */ new Vector3(),
+  normal: /* @__PURE__ */ new Vector3(),
+  color: /* @__PURE__ */ new Float64Array(3),
+  ...{ area: 0, sides: 1, occluded: 0 },
+};
 
-/** Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. */
-function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, openOcclusion: number): void {
-  const { samples, toWorld, weight } = place;
-  const { positions, normals, occlusion } = samples;
-  const paintAt = paintsOf(place, seen.surfaces);
-  const share = (place.area * weight) / all;
-  const count = Math.max(1, Math.min(samples.count, Math.round(MAX_SAMPLES * share)));
+/** How much of what a side of a sample shows is seen: what lies in a hollow or faces the ground hardly is. @param y the height of its normal */
+const seenOf = ({ area, sides, occluded }: Sample, y: number): number =>
+  (area * (1 - occluded) * (FROM_BELOW + (0.5 + 0.5 * y) ** 2)) / sides;
+
+/** Calls back with each sample of a place that is drawn and whose exposure is fitted, with the material of its group. */
+function visitSamples(place: Place, { area: all, openOcclusion }: Whole, visit: (sample: Sample) => void): void {
+  const { samples, material: first, materials, toWorld, weight } = place;
+  const { positions, normals, occlusion, groups } = samples;
+  const { position, normal, color } = sample;
+  const count = Math.max(1, Math.min(samples.count, Math.round((MAX_SAMPLES * place.area * weight) / all)));
+  const writers = new Map<HatchingMaterialProperties, ReturnType<typeof colorWriter>>();
   const determinant = Math.abs(toWorld.determinant());
   toWorldNormal.getNormalMatrix(toWorld);
   for (let i = 0; i < count; i++) {
-    const paint = paintAt(i);
-    if (!paint) continue;
-    const { material, surface, emitted, writeColor } = paint;
-    const isHalfLambert = material.toneModel === 'halfLambert';
+    const own = groups && Array.isArray(materials) ? (materials[groups[i]] as Material | undefined) : undefined;
+    if (groups && Array.isArray(materials) && !isFittedMaterial(own)) continue;
+    const material = (own as unknown as HatchingMaterialProperties | undefined) ?? first;
     position.fromArray(positions, 3 * i).applyMatrix4(toWorld);
     normal.fromArray(normals, 3 * i).applyMatrix3(toWorldNormal);
     const stretched = normal.length();
-    normal.divideScalar(stretched);
-    // Either side of a double-sided surface may be seen, depending on the camera, and mostly the one that is more open.
-    const sides = material.side === DoubleSide ? 2 : 1;
-    const first = material.side === BackSide ? 1 : 0;
-    if (first === 1) normal.negate();
-    const area = (weight * samples.area * determinant * stretched) / count;
+    normal.divideScalar(material.side === BackSide ? -stretched : stretched);
+    sample.material = material;
+    sample.area = (weight * samples.area * determinant * stretched) / count;
     color.fill(1);
-    writeColor?.(i, color);
+    if (material.colorHatching > 0) {
+      if (!writers.has(material)) writers.set(material, colorWriter(material, samples));
+      writers.get(material)!(i, color);
+    }
+    // Either side of a double-sided surface may be seen, depending on the camera, and mostly the one that is more open.
+    const [front, back] = [occlusion[2 * i], occlusion[2 * i + 1]];
+    sample.sides = material.side === DoubleSide ? 2 : 1;
+    const least = sample.sides === 2 ? Math.min(front, back) : material.side === BackSide ? back : front;
+    sample.occluded = relativeOcclusion(least, openOcclusion);
+    visit(sample);
+  }
+}
+
+/** Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. */
+function addPlace(seen: Seen, place: Place, lights: LightsAround, whole: Whole): void {
+  visitSamples(place, whole, (one) => {
+    const { material, position, normal, color, area, sides, occluded } = one;
+    const emitted = emittedBy(material);
+    const isHalfLambert = material.toneModel === 'halfLambert';
     const luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
     seen.lightness.add(lightness(Math.min(luminance, 1)), area);
-    const least = sides === 1 ? occlusion[2 * i + first] : Math.min(occlusion[2 * i], occlusion[2 * i + 1]);
-    const occluded = relativeOcclusion(least, openOcclusion);
-    let ofBoth = 0;
-    for (let side = first; side < first + sides; side++) {
-      // What lies in a hollow or faces the ground is hardly seen, and gets little light.
-      const shown = (area * (1 - occluded) * (FROM_BELOW + (0.5 + 0.5 * normal.y) ** 2)) / sides;
-      seen.colors.add(color, shown);
-      ofBoth += shown;
+    for (let side = 0; side < sides; side++) {
+      seen.colors.add(color, seenOf(one, normal.y));
       const open = openToLamps(occluded, material.occlusion);
       const openToSky = 1 - material.occlusion * occluded;
       lights.arriveAt(position, normal, isHalfLambert, light);
@@ -388,8 +423,7 @@ function addPlace(seen: Seen, place: Place, lights: LightsAround, all: number, o
       seen.arriving.add(radiance, area / sides);
       normal.negate();
     }
-    if (surface !== undefined) seen.surfaces.add(surface, position, color, ofBoth);
-  }
+  });
 }
 
 /** One material per kind of response to light, with the area that has it. */

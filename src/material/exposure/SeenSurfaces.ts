@@ -1,6 +1,8 @@
 /** A surface of a scene: all that has one material. */
 export interface SeenSurface {
   readonly key: string;
+  /** Whether it is of nothing but small parts. */
+  isSmall: boolean;
   /** The sums of red, green and blue in linear light by weight, that of the squares of its luminance, and the weight. */
   r: number;
   g: number;
@@ -31,13 +33,14 @@ export class SeenSurfaces {
     this.indices.clear();
   }
 
-  /** The index of a surface by its key. */
-  indexOf(key: string): number {
+  /** The index of a surface by its key. @param isSmall whether it is of small parts here */
+  indexOf(key: string, isSmall = false): number {
     let index = this.indices.get(key);
     if (index === undefined) {
-      index = this.all.push({ key, r: 0, g: 0, b: 0, squares: 0, weight: 0, count: 0 }) - 1;
+      index = this.all.push({ key, isSmall, r: 0, g: 0, b: 0, squares: 0, weight: 0, count: 0 }) - 1;
       this.indices.set(key, index);
     }
+    this.all[index].isSmall &&= isSmall;
     return index;
   }
 

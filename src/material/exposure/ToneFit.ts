@@ -1,4 +1,4 @@
-import type { Color, IUniform, Texture, Vector4 } from 'three';
+import type { Color, Texture, Vector4 } from 'three';
 import { PRESET_MATERIALS } from '../../look/presetMaterials.js';
 import type { HatchingLook } from '../../look/queries.js';
 import type { ToneCurve } from '../fitToneCurve.js';
@@ -23,17 +23,17 @@ export interface ToneFit {
  */
 export interface ValueCurve {
   /** The weights of red, green and blue in the lightness, as of a filter before the lens. They make 1. */
-  readonly filter: readonly [red: number, green: number, blue: number];
+  filter: readonly [red: number, green: number, blue: number];
   /** The lightnesses at which the slope of the darkness changes. */
-  readonly knots: readonly [number, number, number, number];
+  knots: readonly [number, number, number, number];
   /** By how much it becomes steeper there, towards black. */
-  readonly bends: readonly [number, number, number, number];
+  bends: readonly [number, number, number, number];
 }
 
 /** A plan of values: a curve, and the surfaces to which it gives one darkness instead. */
 export interface ValuePlan extends ValueCurve {
   /** The tones of surfaces that their colours alone would not tell from what lies beside them; null if there are none. */
-  readonly tones: PlannedTones | null;
+  tones: PlannedTones | null;
 }
 
 /** What tells a surface from others: copies of a material, for another renderer or another look, are the same surface. */
@@ -52,46 +52,6 @@ export interface PlannedTones {
 
 /** The weights of red, green and blue in the luminance, as in three.js. */
 export const LUMINANCE = [0.2126729, 0.7151522, 0.072175] as const;
-
-/** No plan: all is blank. */
-export const NO_PLAN: ValuePlan = {
-  filter: LUMINANCE,
-  knots: [0, 0, 0, 0],
-  bends: [0, 0, 0, 0],
-  tones: null,
-};
-
-/** What of a material a fit is written with. */
-interface FittedMaterial extends SurfaceFacts {
-  readonly composition: { readonly exposureCompensation: number; readonly plannedValues: number };
-}
-
-/** Writes the exposure of a material from a fit. Allocates nothing. */
-export function writeFit(
-  { scale, offset, white, openOcclusion: open, plan }: ToneFit,
-  material: FittedMaterial,
-  { exposure, colorExposure, colorFilter, openOcclusion, valueKnots, valueBends }: Readonly<Record<string, IUniform>>,
-): void {
-  const { exposureCompensation, plannedValues } = material.composition;
-  exposure.value.set(scale, offset).multiplyScalar(exposureCompensation);
-  colorExposure.value = 1 / white;
-  openOcclusion.value = open;
-  writeFilter(plan.filter, plannedValues, colorFilter.value);
-  writeValues(plan, material, valueKnots.value, valueBends.value);
-}
-
-/** A lightness so far above white that a curve which begins there has one darkness for all colours. */
-const FAR_ABOVE = 2 ** 16;
-
-/** Writes the curve of a plan for a material. Allocates nothing. */
-export function writeValues(plan: ValuePlan, material: SurfaceFacts, knots: Vector4, bends: Vector4): void {
-  const tone = plan.tones?.of(material);
-  knots.fromArray(plan.knots);
-  bends.fromArray(plan.bends);
-  if (tone === undefined) return;
-  knots.set(FAR_ABOVE, 0, 0, 0);
-  bends.set(tone / FAR_ABOVE, 0, 0, 0);
-}
 
 /** Writes the weights of red, green and blue, and the share of the plan in the darkness. Allocates nothing. */
 export function writeFilter(filter: ValuePlan['filter'], planned: number, into: Vector4): void {

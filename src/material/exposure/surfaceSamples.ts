@@ -170,7 +170,18 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
     }
     isFlat &&= normals[0] * normals[3 * i] + normals[1] * normals[3 * i + 1] + normals[2] * normals[3 * i + 2] > FLAT;
   }
-  return { count, area: (step * sum) / 2, isFlat, positions, normals, occlusion, colors, places, groups };
+  return {
+    count,
+    area: (step * sum) / 2,
+
+    isFlat,
+    positions,
+    normals,
+    occlusion,
+    colors,
+    places,
+    groups,
+  };
 }
 
 /** The index of the first rising sum above a value. */

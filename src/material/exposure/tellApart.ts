@@ -1,5 +1,5 @@
 import { lightness } from '../../look/vectors.js';
-import type { Color } from './planValues.js';
+import type { Color } from './WeightedColors.js';
 
 /** A surface with the darkness that its colours have, which may be set to another. */
 export interface TonedSurface {

@@ -1,5 +1,6 @@
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
 import { familyOf } from '../../look/presetParameters.js';
+import type { PaintedLook } from './laterPlans.js';
 import type { MaterialPart } from './MaterialPart.js';
 
 type Imports = readonly Promise<{ part: MaterialPart }>[];
@@ -79,14 +80,16 @@ const failure = (name: PartName, cause: unknown): Error =>
     { cause },
   );
 
-/** Fetches the part that a look needs. */
-export async function fetchPartsOf({ technique, hand }: LookOfParts): Promise<void> {
-  await fetchPart(partNameOf(technique, hand));
+/** Fetches the part that a look needs, and what its colours need. */
+export async function fetchPartsOf(look: LookOfParts & PaintedLook): Promise<void> {
+  const { surface } = await fetchPart(partNameOf(look.technique, look.hand));
+  await surface.fetchPlansOf(look);
 }
 
 /** Fetches all parts. */
 export async function fetchParts(): Promise<void> {
-  await Promise.all((Object.keys(FETCH) as PartName[]).map(fetchPart));
+  const [{ surface }] = await Promise.all((Object.keys(FETCH) as PartName[]).map(fetchPart));
+  await surface.fetchPlans();
 }
 
 /** The part that the program of one material uses. */

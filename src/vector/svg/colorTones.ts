@@ -1,5 +1,6 @@
 import { Vector4 } from 'three';
-import { isFitted, LUMINANCE, type ToneFit, writeFilter, writeValues } from '../../material/exposure/ToneFit.js';
+import { isFitted, LUMINANCE, type ToneFit, writeFilter } from '../../material/exposure/ToneFit.js';
+import { writeValues } from '../../material/exposure/writeFit.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import type { ColorTones } from '../shading/tone.js';
 

@@ -10,6 +10,7 @@ import {
   type Plane,
 } from 'three';
 import { ExposureFit } from '../../material/exposure/ExposureFit.js';
+import { planScene } from '../../material/exposure/planScene.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
 import { isFormed } from '../../material/geometry/formGeometry.js';
 import { outlineDataOf } from '../../material/geometry/OutlineData.js';
@@ -119,7 +120,7 @@ class SceneReader {
     private readonly pens: PenPlan | null,
   ) {
     this.matcher = new PenMatcher(pens?.pens ?? []);
-    this.fit = new ExposureFit().update(scene, camera.layers.mask);
+    this.fit = new ExposureFit((use) => use(planScene)).update(scene, camera.layers.mask);
     this.paints = new PaintReader(this.fit);
   }
 

@@ -18,6 +18,7 @@ import {
   SceneExtent,
 } from 'three-hatching';
 import { packedSide, packedSides } from '../../mesh/occlusion/occlusionSides.js';
+import { SMALL_PARTS } from '../../mesh/smallParts.js';
 import { cleanMesh } from '../files/mesh/cleanMesh.js';
 import {
   boundsOf as boundsOfPoints,
@@ -210,18 +211,21 @@ function materialsOf(
   usual: Side,
   paintOf: (picture: number) => HatchingMaterialParameters,
 ): HatchingMaterial[] {
-  return ranges.map(({ picture, paint = '', isSeeThrough = false, isOneSided, castsFronts }) => {
-    const glass = isSeeThrough ? { transparent: true, depthWrite: false } : {};
-    return new HatchingMaterial({
-      name: paint,
-      tilesPerObjectUnit: 1,
-      vertexColors: colors !== null,
-      side: isOneSided === undefined ? usual : isOneSided ? FrontSide : DoubleSide,
-      shadowSide: castsFronts ? FrontSide : null,
-      ...paintOf(picture),
-      ...glass,
-    });
-  });
+  return ranges.map(
+    ({ picture, paint = '', isOfSmallParts = false, isSeeThrough = false, isOneSided, castsFronts }) => {
+      const glass = isSeeThrough ? { transparent: true, depthWrite: false } : {};
+      return new HatchingMaterial({
+        name: isOfSmallParts ? `${paint} in small parts` : paint,
+        userData: isOfSmallParts ? { [SMALL_PARTS]: true } : {},
+        tilesPerObjectUnit: 1,
+        vertexColors: colors !== null,
+        side: isOneSided === undefined ? usual : isOneSided ? FrontSide : DoubleSide,
+        shadowSide: castsFronts ? FrontSide : null,
+        ...paintOf(picture),
+        ...glass,
+      });
+    },
+  );
 }
 
 function textureOf({ bitmap, wrapS, wrapT }: MeshPicture): Texture {

@@ -69,7 +69,7 @@ export const exposure: readonly Mutation[] = [
   },
   {
     name: 'a compensation leaves what is added',
-    file: 'src/material/exposure/ToneFit.ts',
+    file: 'src/material/exposure/writeFit.ts',
     find: '.set(scale, offset).multiplyScalar(exposureCompensation)',
     replace: '.set(scale * exposureCompensation, offset)',
     caughtBy: {
@@ -115,7 +115,7 @@ export const exposure: readonly Mutation[] = [
   {
     name: 'undersides count in the plan of values as what lies above them does',
     file: 'src/material/exposure/ExposureFit.ts',
-    find: '0.5 + 0.5 * normal.y',
+    find: '0.5 + 0.5 * y',
     replace: '1',
     caughtBy: {
       layer: 'unit',
@@ -136,8 +136,8 @@ export const exposure: readonly Mutation[] = [
   },
   {
     name: 'neighbouring parts of similar greys have one tone',
-    file: 'src/material/exposure/planScene.ts',
-    find: 'darkness !== planned[place]',
+    file: 'src/material/exposure/planTones.ts',
+    find: 'darkness !== planned[mass]',
     replace: 'false',
     caughtBy: {
       layer: 'unit',
@@ -147,7 +147,7 @@ export const exposure: readonly Mutation[] = [
   },
   {
     name: 'a light body is tinted beside a small part that is lighter',
-    file: 'src/material/exposure/planScene.ts',
+    file: 'src/material/exposure/planTones.ts',
     find: 'isOfManyColors || makesLights',
     replace: 'isOfManyColors',
     caughtBy: {
@@ -159,8 +159,8 @@ export const exposure: readonly Mutation[] = [
   {
     name: 'all of a mesh with several materials has the colour of the first',
     file: 'src/material/exposure/ExposureFit.ts',
-    find: 'paints[groups[i]]',
-    replace: 'paints[0]',
+    find: 'materials[groups[i]]',
+    replace: 'materials[0]',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/exposure/fitExposure.test.ts',
@@ -168,8 +168,19 @@ export const exposure: readonly Mutation[] = [
     },
   },
   {
+    name: 'many small parts keep tones of their own',
+    file: 'src/material/exposure/planTones.ts',
+    find: 'if (surface.isSmall)',
+    replace: 'if (false)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/fitExposure.test.ts',
+      title: 'that are many and small have the mean tone of those beside them, and few keep their own',
+    },
+  },
+  {
     name: 'colours are darkened by their white',
-    file: 'src/material/exposure/ToneFit.ts',
+    file: 'src/material/exposure/writeFit.ts',
     find: '1 / white',
     replace: 'white',
     caughtBy: {

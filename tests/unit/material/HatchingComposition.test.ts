@@ -11,7 +11,7 @@ import {
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { HATCHING_PROPERTIES } from '../../../src/look/hatchingProperties.js';
 import type { PresetName } from '../../../src/look/presetMaterials.js';
-import { NO_PLAN } from '../../../src/material/exposure/ToneFit.js';
+import { WHITE_PLAN } from '../../../src/material/exposure/writeFit.js';
 import { SceneExtent } from '../../../src/material/fading/SceneExtent.js';
 import { HatchingComposition } from '../../../src/material/groups/HatchingComposition.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
@@ -95,7 +95,7 @@ describe('a composition', () => {
   test('is copied with its extent, and fits its exposure anew', () => {
     const source = new HatchingComposition({ exposure: 'fit', focus: [1, 2, 3] });
     source.extent = new SceneExtent(new Scene());
-    source.kept({ scale: 2, offset: 0, white: 1, openOcclusion: 0, plan: NO_PLAN });
+    source.kept({ scale: 2, offset: 0, white: 1, openOcclusion: 0, plan: WHITE_PLAN });
     const copy = source.clone();
     expect(copy).toMatchObject({ exposure: 'fit', extent: source.extent, keptFit: null });
     expect(copy.focus).toEqual(new Vector3(1, 2, 3));
@@ -103,7 +103,7 @@ describe('a composition', () => {
   });
 
   test("keeps the first fit of 'fit' until refit(), and none of 'auto'", () => {
-    const [first, second] = [2, 3].map((scale) => ({ scale, offset: 0, white: 1, openOcclusion: 0, plan: NO_PLAN }));
+    const [first, second] = [2, 3].map((scale) => ({ scale, offset: 0, white: 1, openOcclusion: 0, plan: WHITE_PLAN }));
     const composition = new HatchingComposition({ exposure: 'fit' });
     expect(composition.keptFit).toBeNull();
     expect(composition.kept(first)).toEqual(first);

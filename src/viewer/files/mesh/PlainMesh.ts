@@ -43,6 +43,8 @@ export interface PictureRange {
   castsFronts?: boolean;
   /** A name for the paint of its materials: those of one colour share it. Undefined where all paints are in one range. */
   paint?: string;
+  /** Whether it is of nothing but small parts, of many. */
+  isOfSmallParts?: boolean;
 }
 
 /** A mesh, with notes for the caption on what was left out. */

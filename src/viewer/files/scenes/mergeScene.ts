@@ -1,4 +1,5 @@
 import {
+  Box3,
   type BufferGeometry,
   Color,
   DoubleSide,
@@ -11,6 +12,7 @@ import {
   Vector2,
   Vector3,
 } from 'three';
+import { smallAmong } from '../../../mesh/smallParts.js';
 import { placements } from '../../drawing/meshes.js';
 import { partNames } from '../common/partNames.js';
 import { FAR } from '../mesh/fitModel.js';
@@ -47,7 +49,7 @@ export function mergeScene(
   const toOrigin = nearOrigin(parts);
   if (toOrigin) toMesh?.copy(toOrigin);
   if (toOrigin) for (const part of parts) part.matrix = part.matrix.clone().premultiply(toOrigin);
-  const pieces = parts.flatMap((part) => part.pieces.map((piece) => ({ part, piece })));
+  const pieces: PlacedPiece[] = parts.flatMap((part) => part.pieces.map((piece) => ({ part, piece })));
   const cornerCount = pieces.reduce((sum, { piece }) => sum + piece.count, 0);
   checkReadTriangles(cornerCount / 3);
   const vertexCount = parts.reduce((sum, part) => sum + part.vertexCount, 0);
@@ -68,7 +70,9 @@ export function mergeScene(
   let corner = 0;
   const paints = paintsOf(pieces.map(({ piece }) => piece));
   const placeOf = (piece: Piece): number => Math.max(0, paints.indexOf(paintOf(piece)));
-  const rangeOf = (piece: Piece): number => MOST_PAINTS * drawnAs(piece) + (piece.isSeeThrough ? 0 : placeOf(piece));
+  const small = paints.length > 1 ? smallAmongPieces(pieces, positions) : new Set<Piece>();
+  const rangeOf = (piece: Piece): number =>
+    2 * (MOST_PAINTS * drawnAs(piece) + (piece.isSeeThrough ? 0 : placeOf(piece))) + Number(small.has(piece));
   // Sorted, so that the triangles of each picture and paint form one range.
   let before: number | undefined;
   for (const { part, piece } of pieces.sort((a, b) => rangeOf(a.piece) - rangeOf(b.piece))) {
@@ -84,6 +88,7 @@ export function mergeScene(
         ...(isSeeThrough && { isSeeThrough }),
         ...sides,
         ...paint,
+        ...(small.has(piece) && { isOfSmallParts: true }),
       });
     corner = end;
     before = range;
@@ -131,6 +136,29 @@ const MOST_PAINTS = 32;
 
 /** A name for the colour of a piece. */
 const paintOf = (piece: Piece): string => new Color(...pieceColor(piece)).getHexString();
+
+/** A piece with the mesh that it is of, in its place. */
+interface PlacedPiece {
+  part: Part;
+  piece: Piece;
+}
+
+/** The opaque pieces without pictures that are too small for strokes, if there are many. */
+function smallAmongPieces(placed: readonly PlacedPiece[], positions: Float32Array): Set<Piece> {
+  const whole = new Box3().setFromArray(positions);
+  const sizes = placed.map(({ part, piece }) => {
+    const first = part.firstVertex + (part.isUnshared ? piece.first : 0);
+    const { min, max } = box.setFromArray(
+      positions.subarray(3 * first, 3 * (first + (part.isUnshared ? piece.count : part.vertexCount))),
+    );
+    return min.distanceTo(max);
+  });
+  const isSmall = smallAmong(sizes, whole.min.distanceTo(whole.max));
+  const drawn = placed.filter(({ piece }, i) => isSmall[i] && piece.picture === -1 && !piece.isSeeThrough);
+  return new Set(drawn.map(({ piece }) => piece));
+}
+
+const box = new Box3();
 
 /** The paints with the most corners, the most first. */
 function paintsOf(pieces: readonly Piece[]): string[] {

@@ -28,7 +28,9 @@ import { fitExposure, HatchingMaterial, type HatchingMaterialParameters, Hatchin
 import { describe, expect, test } from 'vitest';
 import { lightness } from '../../../../src/look/vectors.js';
 import { ExposureFit } from '../../../../src/material/exposure/ExposureFit.js';
-import { type ToneFit, writeValues } from '../../../../src/material/exposure/ToneFit.js';
+import { planScene } from '../../../../src/material/exposure/planScene.js';
+import type { ToneFit } from '../../../../src/material/exposure/ToneFit.js';
+import { writeValues } from '../../../../src/material/exposure/writeFit.js';
 
 const ball = new SphereGeometry(1, 128, 64);
 const auto = (parameters: HatchingMaterialParameters = {}): HatchingMaterial =>
@@ -291,7 +293,7 @@ describe('parts of several materials', () => {
     expect(darkness(fit, black)).toBeCloseTo(darkness(apart, black), 1);
     expect(darkness(fit, black)).toBeGreaterThan(0.15);
     box.groups.splice(2, 2);
-    expect(darkness(fitExposure(sceneOf(together, sun(1))), white)).toBe(0);
+    expect(darkness(fitExposure(sceneOf(together, sun(1))), white)).toBeCloseTo(0, 9);
     expect(fitExposure(sceneOf(together, sun(1))).white).toBe(1);
   });
 
@@ -334,6 +336,23 @@ describe('parts of several materials', () => {
     expect(darkness(fit, body)).toBeLessThan(0.1);
   });
 
+  test('that are many and small have the mean tone of those beside them, and few keep their own', () => {
+    const materials = [grey(0.9), grey(0.1)];
+    const ring = (count: number): Mesh[] =>
+      Array.from({ length: count }, (_, i) => {
+        const stone = new Mesh(new SphereGeometry(0.1, 8, 6), materials[i % 2]);
+        const angle = (2 * Math.PI * i) / count;
+        stone.position.set(3 * Math.cos(angle), 0, 3 * Math.sin(angle));
+        return stone;
+      });
+    const [light, dark] = materials.map((material) => darkness(fitExposure(sceneOf(...ring(100), sun(1))), material));
+    const few = fitExposure(sceneOf(...ring(12), sun(1)));
+    expect(darkness(few, materials[0])).toBeCloseTo(0, 9);
+    expect(darkness(few, materials[1])).toBeGreaterThan(0.15);
+    expect(light).toBeCloseTo(darkness(few, materials[1]) / 2, 2);
+    expect(dark).toBeCloseTo(light, 5);
+  });
+
   test('whose greys are alike keep one tone, as one part has', () => {
     const materials = [grey(0.5, 'a'), grey(0.5, 'b')];
     const fit = fitExposure(sceneOf(...train(materials), sun(1)));
@@ -346,7 +365,7 @@ describe('the fit', () => {
     const mesh = new Mesh(ball, auto({ reflectedLight: 0.3 }));
     const light = sun(2);
     const scene = sceneOf(mesh, light, new AmbientLight(0xffffff, 0.3));
-    const fit = new ExposureFit();
+    const fit = new ExposureFit((use) => use(planScene));
     const update = () => {
       scene.updateMatrixWorld();
       return { ...fit.update(scene, -1) };
@@ -370,7 +389,7 @@ describe('the fit', () => {
     const material = auto({ reflectedLight: 0.2 });
     const mesh = new Mesh(new BoxGeometry(1, 2, 3), material);
     const scene = sceneOf(mesh, light, spot);
-    const fit = new ExposureFit();
+    const fit = new ExposureFit((use) => use(planScene));
     const changes: (() => void)[] = [
       () => light.color.set('red'),
       () => light.target.position.set(0, 3, 0),

@@ -1,7 +1,7 @@
 import { Color, Vector2, Vector4 } from 'three';
 import { expect, test } from 'vitest';
 import { fitTones, WeightedValues } from '../../../../src/material/exposure/ExposureFit.js';
-import { writeFit } from '../../../../src/material/exposure/ToneFit.js';
+import { writeFit } from '../../../../src/material/exposure/writeFit.js';
 
 /** A hundred values, evenly spread over a range. */
 function spread(from: number, to: number): WeightedValues {

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { lightness } from '../../../../src/look/vectors.js';
-import { planValues, WeightedColors } from '../../../../src/material/exposure/planValues.js';
+import { planValues } from '../../../../src/material/exposure/planValues.js';
+import { WeightedColors } from '../../../../src/material/exposure/WeightedColors.js';
 
 type Rgb = readonly [number, number, number];
 

@@ -167,9 +167,9 @@ describe('OBJ with pictures', () => {
     const { mesh, pictures, notes } = box;
     expect(notes).toEqual(['leaf.png is missing: drop it along']);
     expect(mesh.ranges).toEqual([
-      { start: 0, count: 12, picture: -1 },
-      { start: 12, count: 12, picture: 0 },
-      { start: 24, count: 12, picture: 1 },
+      { start: 0, count: 12, picture: -1, paint: '00ff00' },
+      { start: 12, count: 12, picture: 0, paint: 'ffffff' },
+      { start: 24, count: 12, picture: 1, paint: '0000ff' },
     ]);
     expect(pictures.map((one) => [one!.wrapS, one!.wrapT, one!.cutOut])).toEqual([
       [ClampToEdgeWrapping, ClampToEdgeWrapping, 0],

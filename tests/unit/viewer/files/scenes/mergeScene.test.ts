@@ -75,6 +75,22 @@ describe('paints', () => {
   });
 });
 
+test('many small parts have ranges of their own for each colour', () => {
+  const stones = Array.from({ length: 30 }, (_, i) => {
+    const color = i % 2 ? 0xff0000 : 0x0000ff;
+    const stone = new Mesh(new PlaneGeometry(0.1, 0.1), new MeshBasicMaterial({ color }));
+    stone.position.x = i / 10;
+    return stone;
+  });
+  const plate = new Mesh(new PlaneGeometry(10, 10), new MeshBasicMaterial({ color: 0xff0000 }));
+  expect(mergeScene(new Group().add(plate, ...stones)).ranges).toEqual([
+    { start: 0, count: 6, picture: -1, paint: 'ff0000' },
+    { start: 6, count: 90, picture: -1, paint: 'ff0000', isOfSmallParts: true },
+    { start: 96, count: 90, picture: -1, paint: '0000ff', isOfSmallParts: true },
+  ]);
+  expect(mergeScene(new Group().add(plate, ...stones.slice(7))).ranges).toHaveLength(2);
+});
+
 describe('sides', () => {
   const sheet = () => new PlaneGeometry();
   const both = new MeshBasicMaterial({ side: DoubleSide });

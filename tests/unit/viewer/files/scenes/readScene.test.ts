@@ -80,7 +80,8 @@ describe('pictures and motion', () => {
       const box = await read(...files);
       expect(box.pictures).toEqual([expect.objectContaining({ cutOut: 0 })]);
       expect(box.mesh.ranges!.map(({ count, picture: index }) => [count, index])).toEqual([
-        [24, -1],
+        [12, -1],
+        [12, -1],
         [12, 0],
       ]);
       expect(box.notes).toEqual([]);
