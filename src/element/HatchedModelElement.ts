@@ -1,11 +1,13 @@
-import type { HatchingCompositionOptions, HatchingPreset } from 'three-hatching';
+import type { Hand, HatchingCompositionOptions, HatchingPreset } from 'three-hatching';
 import { Drawing } from './Drawing.js';
 import { elementStyle } from './elementStyle.js';
+import { loadHand } from './loadHand.js';
 import {
   type Direction,
   LOOK_NUMBERS,
   type LookNumber,
   readControls,
+  readHand,
   readLight,
   readLookNumber,
   readPreset,
@@ -27,12 +29,12 @@ export function warnOfMissingSource(hadSource: boolean): void {
 }
 
 const ATTRIBUTES = [
-  ...(['src', 'preset', 'color-fill', 'color-hatching', 'exposure', 'vignette', 'light', 'camera'] as const),
+  ...(['src', 'preset', 'hand', 'color-fill', 'color-hatching', 'exposure', 'vignette', 'light', 'camera'] as const),
   ...(['variant', 'controls', 'alt', 'poster', 'draco-path', 'ktx2-path'] as const),
 ];
 /** The attributes whose change loads the model again, and those whose change draws it with another look. */
 const OF_MODEL: readonly string[] = ['src', 'camera', 'variant', 'draco-path', 'ktx2-path'];
-const OF_LOOK: readonly string[] = ['preset', ...Object.keys(LOOK_NUMBERS)];
+const OF_LOOK: readonly string[] = ['preset', 'hand', ...Object.keys(LOOK_NUMBERS)];
 /** The distance from the visible part of the page at which a model is loaded. */
 const LOAD_MARGIN = '300px';
 /** The greatest number of pixels per CSS pixel. More take longer and show little. */
@@ -52,6 +54,7 @@ const Base = globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElemen
  * | --- | --- |
  * | `src` | URL of a glTF or GLB file |
  * | `preset` | name of a preset of the library; `pen` by default |
+ * | `hand` | URL of a `hand.json`, whose strokes are drawn; the preset must draw with a pen |
  * | `color-fill` | how much of the model's own colours is printed under the ink, from 0 to 1; 0 by default |
  * | `color-hatching` | how much the darkness of these colours is hatched, from 0 to 1; 0.8 by default |
  * | `exposure` | how much lighter the drawing is, as a factor; 1 by default |
@@ -84,6 +87,7 @@ export class HatchedModelElement extends Base {
 
   declare src: string;
   declare preset: string;
+  declare hand: string;
   declare colorFill: string;
   declare colorHatching: string;
   declare exposure: string;
@@ -114,6 +118,8 @@ export class HatchedModelElement extends Base {
   private drawing: Drawing | undefined;
   /** Whether the drawing is that of an earlier model. */
   private isOutdated = false;
+  /** The hand that was fetched last, for other looks. */
+  private fetchedHand: { address: string; hand: Hand } | undefined;
   private isNear = false;
   private hadSource = false;
   /** The frame that was requested, or 0. */
@@ -180,10 +186,10 @@ export class HatchedModelElement extends Base {
     queueMicrotask(() => this.load());
   }
 
-  /** The preset with the numbers that attributes override. @throws Error if one is wrong */
-  private readLook(): HatchingPreset {
+  /** The preset with the numbers and the hand that attributes give. @throws Error if one is wrong */
+  private async readLook(signal: AbortSignal): Promise<HatchingPreset> {
     const preset = readPreset(this.getAttribute('preset'));
-    const own: Record<string, number> = {};
+    const own: Record<string, number | Hand> = {};
     // Its one picture follows the light, which visitors turn.
     const composition: Partial<HatchingCompositionOptions> & Record<string, unknown> = { exposure: 'auto' };
     for (const name of Object.keys(LOOK_NUMBERS) as LookNumber[]) {
@@ -191,7 +197,14 @@ export class HatchedModelElement extends Base {
       const { property, isOfComposition } = LOOK_NUMBERS[name];
       if (value !== undefined) (isOfComposition ? composition : own)[property] = value;
     }
+    const address = readHand(this.getAttribute('hand'), preset);
+    if (address) own.hand = await this.fetchHand(resolve(address), signal);
     return { ...preset, material: { ...preset.material, ...own, composition } };
+  }
+
+  private async fetchHand(address: string, signal: AbortSignal): Promise<Hand> {
+    if (this.fetchedHand?.address !== address) this.fetchedHand = { address, hand: await loadHand(address, signal) };
+    return this.fetchedHand.hand;
   }
 
   /** Draws the model, if that is waited for. The previous drawing stays until it is ready. */
@@ -208,8 +221,8 @@ export class HatchedModelElement extends Base {
         return;
       }
       this.hadSource = true;
-      const preset = this.readLook();
       readLight(this.getAttribute('light'));
+      const preset = await this.readLook(signal);
       if (this.drawing && !this.isOutdated) await this.drawing.setPreset(preset, signal);
       else await this.loadModel(preset, signal);
       if (signal.aborted) return;

@@ -7,6 +7,8 @@ export interface HatchedModelAttributes {
   src?: string | undefined;
   /** The name of a preset. Default: `pen`. */
   preset?: PresetName | undefined;
+  /** URL of a `hand.json`, whose strokes are drawn. The preset must draw with a pen. */
+  hand?: string | undefined;
   /** How much of the model's own colours is printed under the ink, from 0 to 1. Default: 0. */
   'color-fill'?: number | string | undefined;
   /** How much the darkness of these colours is hatched, from 0 to 1. Default: 0.8. */

@@ -73,7 +73,7 @@ export async function loadModel(source: ModelSource): Promise<LoadedModel> {
     if (source.variant) await useVariant(gltf, source.variant);
     return { scene: gltf.scene, cameras: camerasOf(gltf) };
   } catch (cause) {
-    throw new Error(sentenceOf(address, cause), { cause });
+    throw new Error(sentenceOf('model', address, cause), { cause });
   } finally {
     giveBack?.();
   }
@@ -115,15 +115,20 @@ function disposeMaterial(material: Material): void {
 const isTexture = (value: unknown): value is Texture =>
   typeof value === 'object' && value !== null && 'isTexture' in value;
 
-function sentenceOf(address: string, cause: unknown): string {
+/**
+ * Why something could not be loaded, for the reader of the page.
+ *
+ * @param what it is, such as `model`
+ */
+export function sentenceOf(what: string, address: string, cause: unknown): string {
   const message = messageOf(cause);
   const name = address.startsWith('data:') ? 'of the page' : `"${address.split(/[?#]/)[0].split('/').at(-1)}"`;
   const status = /responded with (\d+)/.exec(message)?.[1];
-  if (status) return `The model ${name} could not be fetched: the server answered ${status}.`;
+  if (status) return `The ${what} ${name} could not be fetched: the server answered ${status}.`;
   if (/failed to fetch|networkerror|load failed/i.test(message)) {
-    return `The model ${name} could not be fetched: the server does not answer, or forbids it.`;
+    return `The ${what} ${name} could not be fetched: the server does not answer, or forbids it.`;
   }
-  return `The model ${name} could not be read: ${message}`;
+  return `The ${what} ${name} could not be read: ${message}`;
 }
 
 /** The message of an error. Draco's workers throw plain objects. */

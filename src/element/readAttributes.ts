@@ -26,6 +26,22 @@ export function readPreset(text: string | null): HatchingPreset {
   throw new Error(`There is no preset "${name}". There are ${Object.keys(presets).join(', ')}.`);
 }
 
+/**
+ * Reads the address of a hand.
+ *
+ * @param text the attribute; null or '' for the preset's own strokes
+ * @param preset that draws with it
+ * @throws Error that lists the presets that draw with a pen, if this one does not
+ */
+export function readHand(text: string | null, preset: HatchingPreset): string | undefined {
+  const address = text?.trim();
+  if (!address) return undefined;
+  const drawsWithPen = ({ material }: HatchingPreset): boolean => material?.technique === 'pen';
+  if (drawsWithPen(preset)) return address;
+  const pens = Object.entries(presets).flatMap(([name, one]) => (drawsWithPen(one) ? [name] : []));
+  throw new Error(`A hand needs a preset that draws with a pen: ${pens.join(', ')}.`);
+}
+
 /** The attributes that override a number of the preset: the property of the material or of its composition, and its range in words. */
 export const LOOK_NUMBERS = {
   'color-fill': {

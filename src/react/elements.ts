@@ -26,7 +26,7 @@ function isBlank(composition: FollowedMaterial['composition']): boolean {
  */
 export class FollowedMaterial extends HatchingMaterial {
   /** The properties at the last draw that decide which map and which code are needed. */
-  private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique'>> = {};
+  private followed: Partial<Pick<HatchingMaterial, 'tonalArtMap' | 'technique' | 'hand'>> = {};
   /** The numbers that the arguments gave the composition, such as those of a preset. */
   private readonly composedFirst: HatchingComposition;
 
@@ -48,9 +48,9 @@ export class FollowedMaterial extends HatchingMaterial {
   // The hook of HatchingMaterial runs before this one, as before any hook that a user sets.
   override onBeforeRender(): void {
     const { followed } = this;
-    const { tonalArtMap, technique } = this;
-    if (followed.tonalArtMap === tonalArtMap && followed.technique === technique) return;
-    this.followed = { tonalArtMap, technique };
+    const { tonalArtMap, technique, hand } = this;
+    if (followed.tonalArtMap === tonalArtMap && followed.technique === technique && followed.hand === hand) return;
+    this.followed = { tonalArtMap, technique, hand };
     // Failures to draw the map or to fetch the code are reported by the library.
     this.ready.then(() => invalidate()).catch(() => {});
   }

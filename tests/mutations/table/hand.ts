@@ -68,6 +68,17 @@ export const hand: readonly Mutation[] = [
     },
   },
   {
+    name: 'strokes of a hand lie on their rows in vector files',
+    file: 'src/vector/shading/handStrokes.ts',
+    find: 'row.way * (aside + offset) * spacing',
+    replace: 'row.way * aside * spacing',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/shading/handStrokes.test.ts',
+      title: 'a row in full tone is one whole stroke of the hand after the other, as far apart as cells',
+    },
+  },
+  {
     name: 'the second layer of a hand crosses to the same side whatever the sign of its angle',
     file: 'src/material/parts/handStrokes.ts',
     find: '(crossingAngle * Math.PI) / 180',

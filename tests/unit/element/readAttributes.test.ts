@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { presets } from 'three-hatching';
 import { describe, expect, test } from 'vitest';
-import { readControls, readLight, readLookNumber, readPreset } from '../../../src/element/readAttributes.js';
+import { readControls, readHand, readLight, readLookNumber, readPreset } from '../../../src/element/readAttributes.js';
 
 describe('preset', () => {
   test.each([null, '', '  '])('is the pen for %o', (text) => expect(readPreset(text)).toBe(presets.pen));
@@ -35,6 +35,17 @@ test('a share is from 0 to 1; an exposure may be greater, but not 0', () => {
   }
   expect(readLookNumber('exposure', '1.5')).toBe(1.5);
   expect(() => readLookNumber('exposure', '0')).toThrow('must be a number above 0');
+});
+
+describe('hand', () => {
+  test.each([null, '', '  '])('is none for %o', (text) => expect(readHand(text, presets.chalk)).toBeUndefined());
+
+  test('is drawn by presets of the pen', () => {
+    expect(readHand(' mine/hand.json ', presets.pen)).toBe('mine/hand.json');
+    expect(() => readHand('hand.json', presets.chalk)).toThrow(
+      'A hand needs a preset that draws with a pen: pen, crossHatching.',
+    );
+  });
 });
 
 describe('light', () => {

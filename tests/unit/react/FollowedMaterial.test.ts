@@ -1,6 +1,7 @@
 import { expect, test, vi } from 'vitest';
 import { TonalArtMap } from '../../../src/material/tam/TonalArtMap.js';
 import { FollowedMaterial } from '../../../src/react/elements.js';
+import { exampleHand } from '../../../src/strokes/hands/index.js';
 import { eventually } from '../patience.js';
 
 const invalidate = vi.hoisted(() => vi.fn());
@@ -20,6 +21,18 @@ test('a canvas that draws on demand draws again when the map is there, once, and
   material.tonalArtMap = second;
   draw();
   await second.ready;
+  await eventually(() => expect(invalidate).toHaveBeenCalledTimes(2));
+});
+
+test('a canvas that draws on demand draws again when the code that draws a hand is there', async () => {
+  invalidate.mockClear();
+  const material = new FollowedMaterial({ preset: 'pen' });
+  const draw = (): void => FollowedMaterial.prototype.onBeforeRender.call(material);
+  draw();
+  await eventually(() => expect(invalidate).toHaveBeenCalledOnce());
+  material.hand = exampleHand('brush');
+  draw();
+  draw();
   await eventually(() => expect(invalidate).toHaveBeenCalledTimes(2));
 });
 
