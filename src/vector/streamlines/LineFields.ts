@@ -65,7 +65,10 @@ export class LineFields {
         fields.readRow(row, from, surfaces, owners, normals);
       }
     }
-    for (let row = 0; row < fields.rows; row++) fields.joinRow(row, normals);
+    for (let row = 0; row < fields.rows; row++) {
+      yield 0.9;
+      fields.joinRow(row, normals);
+    }
     for (const set of fields.sets) if (set.length > 0) yield* fields.smooth(set);
     return fields;
   }

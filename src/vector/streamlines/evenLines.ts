@@ -8,7 +8,7 @@ import { LineFields } from './LineFields.js';
 import { STEP } from './LineGrower.js';
 import { LineLaws } from './LineLaws.js';
 import type { LinePoints } from './LinePoints.js';
-import { LAYS } from './layTones.js';
+import { LAYS, type Lay, layerOf } from './layTones.js';
 import { LineEnds } from './lineEnds.js';
 import { placeLines } from './placeLines.js';
 import { Sheet } from './Sheet.js';
@@ -27,7 +27,7 @@ export const canBeEven = ({ engraved, hides, look }: EngravedSurface): boolean =
 
 /** A line of a pen on the picture. */
 export interface EvenLine {
-  layer: (typeof LAYS)[number]['layer'];
+  layer: Lay['layer'];
   surface: EngravedSurface;
   /** Two numbers a point, pixels of the picture. */
   points: number[];
@@ -83,14 +83,17 @@ export function* evenLines(
   const fields = yield* asPhase(LineFields.of(sheet, read, owners), 0.1, 0.4);
   const ends = new LineEnds(sheet, bvh, projection);
   const lines: EvenLine[] = [];
-  for (const [set, { layer }] of LAYS.entries()) {
+  for (const [set, lay] of LAYS.entries()) {
     if (!fields.hasLines(set)) continue;
     const [from, to] = [set, set + 1].map((k) => 0.4 + (0.6 * k) / LAYS.length);
     const points = yield* asPhase(linesOf(fields, set, pen), from, to);
     for (let line = 0; line < points.lines; line++) {
       yield to;
       const middle = (points.starts[line] + points.starts[line + 1]) >> 1;
-      const owner = owners[sheet.triangleAt(points.x[middle], points.y[middle])];
+      const [x, y] = [points.x[middle], points.y[middle]];
+      const owner = owners[sheet.triangleAt(x, y)];
+      const place = read[owner].placeAt(x / scale, y / scale, sheet.triangleAt(x, y));
+      const layer = layerOf(lay, read[owner].engraver(fields.engraverAt(x, y)).at(place).cut);
       const strokes = strokesAlong(points, line, { fields, set, surface: read[owner] });
       const found = wholeLine(points, line, strokes, ends, STEP * pen);
       const world = isDeep || strokes ? worldOf(found, read[owner], sheet) : null;

@@ -12,7 +12,8 @@ export const LAYS = [
   { name: 'third', layer: 'crossing' },
   { name: 'shadow', layer: 'shadows' },
 ] as const;
-export type LayName = (typeof LAYS)[number]['name'];
+export type Lay = (typeof LAYS)[number];
+export type LayName = Lay['name'];
 
 /** The lines of one set at a place. */
 export interface LaidTone {
@@ -38,6 +39,11 @@ export function familyOf(lay: LayName, cut: CutReading | null): FamilyName {
   if (lay === 'first' && firstShare >= HALF) return 'first';
   if (lay === 'first' || lay === 'cross') return shareB < HALF ? 'crossC' : 'crossB';
   return otherShare(shareB, firstShare) < HALF ? `${lay}C` : `${lay}B`;
+}
+
+/** The layer of the lines of a set at a place: where others take the place of the first family, theirs. */
+export function layerOf({ name, layer }: Lay, cut: CutReading | null): Lay['layer'] {
+  return name === 'first' && familyOf(name, cut) !== 'first' ? 'crossing' : layer;
 }
 
 /** Whether lines of a set may be drawn. */
