@@ -177,6 +177,8 @@ export function* limitToSurface(
       if (Math.abs(depthAt(half) - depths[i]) < GENTLE * half * pixel) continue;
       points[o + 2 + side] = reachOnSurface(depthAt, depths[i], half, CLIFF * pixel);
     }
+    // A stroke beside its path has no width where the surface ends before it.
+    if (points[o + 2] + points[o + 3] < 0) points[o + 3] = -points[o + 2];
   }
 }
 
