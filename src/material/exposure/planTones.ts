@@ -10,7 +10,7 @@ import { type TonedSurface, tellApart } from './tellApart.js';
 /** The standard deviation of a surface's luminance up to which it is of one colour. */
 const PLAIN = 0.02;
 /** The share of what is seen from which on a surface that is nearly paper makes the lights of the picture, and the darkness up to which it is. */
-const LIGHTS = { share: 0.25, darkness: 0.05 };
+const LIGHTS = { share: 0.15, darkness: 0.1 };
 
 /** The distance up to which surfaces lie side by side, as a multiple of that between samples. */
 const REACH = 2;
