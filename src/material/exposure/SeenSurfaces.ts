@@ -3,11 +3,10 @@ export interface SeenSurface {
   readonly key: string;
   /** Whether it is of nothing but small parts. */
   isSmall: boolean;
-  /** The sums of red, green and blue in linear light by weight, that of the squares of its luminance, and the weight. */
+  /** The sums of red, green and blue in linear light by weight, and the weight. */
   r: number;
   g: number;
   b: number;
-  squares: number;
   weight: number;
   /** The number of its samples. */
   count: number;
@@ -37,7 +36,7 @@ export class SeenSurfaces {
   indexOf(key: string, isSmall = false): number {
     let index = this.indices.get(key);
     if (index === undefined) {
-      index = this.all.push({ key, isSmall, r: 0, g: 0, b: 0, squares: 0, weight: 0, count: 0 }) - 1;
+      index = this.all.push({ key, isSmall, r: 0, g: 0, b: 0, weight: 0, count: 0 }) - 1;
       this.indices.set(key, index);
     }
     this.all[index].isSmall &&= isSmall;
@@ -53,7 +52,6 @@ export class SeenSurfaces {
     surface.r += weight * r;
     surface.g += weight * g;
     surface.b += weight * b;
-    surface.squares += weight * (0.2126 * r + 0.7152 * g + 0.0722 * b) ** 2;
     surface.weight += weight;
     surface.count++;
   }

@@ -15,13 +15,13 @@ interface Value {
 
 /** The share of the surface, the lightest colours, that is left to the paper, and the darkness of the darkest colour. */
 const PAPER = 0.55;
-export const DARKEST = 0.7;
+const DARKEST = 0.7;
 /** The share of the surface from which on the lightest colours alone make the lights of a picture. */
 const LIGHTS = 0.2;
 /** How much of a value's own surface counts in its rank. */
 const OWN = 0.25;
 /** The step by which neighbouring values differ, and the steepest rise of the darkness that may be needed for it. */
-export const STEP = 0.15;
+const STEP = 0.15;
 const STEEPEST = 1.5;
 /** Nearly black things are never quite white: the lightness at which they begin, and the darkness of black. */
 const NEARLY_BLACK = 0.3;

@@ -135,28 +135,6 @@ export const exposure: readonly Mutation[] = [
     },
   },
   {
-    name: 'neighbouring parts of similar greys have one tone',
-    file: 'src/material/exposure/planTones.ts',
-    find: 'darkness !== planned[mass]',
-    replace: 'false',
-    caughtBy: {
-      layer: 'unit',
-      file: 'tests/unit/material/exposure/fitExposure.test.ts',
-      title: 'that lie side by side differ by 0.12 of tone at the strength of presets, in eight greys and in any order',
-    },
-  },
-  {
-    name: 'a light body is tinted beside a small part that is lighter',
-    file: 'src/material/exposure/planTones.ts',
-    find: 'isOfManyColors || makesLights',
-    replace: 'isOfManyColors',
-    caughtBy: {
-      layer: 'unit',
-      file: 'tests/unit/material/exposure/fitExposure.test.ts',
-      title: 'leave a large light body to the paper beside small parts that are lighter',
-    },
-  },
-  {
     name: 'all of a mesh with several materials has the colour of the first',
     file: 'src/material/exposure/ExposureFit.ts',
     find: 'materials[groups[i]]',

@@ -3,7 +3,6 @@ import {
   BoxGeometry,
   BufferAttribute,
   Color,
-  CylinderGeometry,
   DataTexture,
   DirectionalLight,
   EquirectangularReflectionMapping,
@@ -268,14 +267,6 @@ describe('parts of several materials', () => {
     const light = lightness(material.color.r);
     return knots.toArray().reduce((sum, knot, i) => sum + bends.toArray()[i] * Math.max(knot - light, 0), 0);
   };
-  /** Gears in a row that mesh, in the given materials. */
-  const train = (materials: readonly HatchingMaterial[]): Mesh[] =>
-    materials.map((material, i) => {
-      const gear = new Mesh(new CylinderGeometry(1, 1, 0.5, 32), material);
-      gear.position.x = 2.02 * i;
-      return gear;
-    });
-
   test('count by the material of each group, and not where triangles are in no group', () => {
     const box = new BoxGeometry(1, 1, 1);
     const [white, black] = [grey(1), grey(0.1)];
@@ -297,45 +288,6 @@ describe('parts of several materials', () => {
     expect(fitExposure(sceneOf(together, sun(1))).white).toBe(1);
   });
 
-  test('that lie side by side differ by 0.12 of tone at the strength of presets, in eight greys and in any order', () => {
-    for (const order of [
-      [0, 1, 2, 3, 4, 5, 6, 7],
-      [7, 6, 5, 4, 3, 2, 1, 0],
-      [0, 4, 1, 5, 2, 6, 3, 7],
-    ]) {
-      const materials = order.map((i) => grey(0.95 - 0.09 * i));
-      const fit = fitExposure(sceneOf(...train(materials), sun(1)));
-      const tones = materials.map((material) => 0.8 * darkness(fit, material));
-      for (let i = 1; i < 8; i++) expect(Math.abs(tones[i] - tones[i - 1])).toBeGreaterThan(0.1199);
-      // A quarter of them are nearly paper, and none is solid.
-      expect(tones.filter((tone) => tone < 0.1).length).toBeGreaterThanOrEqual(2);
-      expect(Math.max(...tones)).toBeLessThanOrEqual(0.56 + 1e-9);
-    }
-  });
-
-  test('have the tones of their surfaces in copies too, until they are painted anew', () => {
-    const materials = [0.95, 0.86, 0.77].map((light) => grey(light));
-    const fit = fitExposure(sceneOf(...train(materials), sun(1)));
-    const [, second] = materials;
-    const copy = second.clone();
-    expect(darkness(fit, second)).toBeGreaterThan(0.14);
-    expect(darkness(fit, copy)).toBe(darkness(fit, second));
-    copy.color.setScalar(1);
-    expect(darkness(fit, copy)).toBe(0);
-    copy.color.copy(second.color);
-    copy.name = 'another part';
-    expect(darkness(fit, copy)).toBeLessThan(darkness(fit, second) - 0.01);
-  });
-
-  test('leave a large light body to the paper beside small parts that are lighter', () => {
-    const [body, trim] = [grey(0.8), grey(0.95)];
-    const [car, bumper] = train([body, trim]);
-    bumper.scale.setScalar(0.3);
-    bumper.position.x = 1.3;
-    const fit = fitExposure(sceneOf(car, bumper, sun(1)));
-    expect(darkness(fit, body)).toBeLessThan(0.1);
-  });
-
   test('that are many and small have the mean tone of those beside them, and few keep their own', () => {
     const materials = [grey(0.9), grey(0.1)];
     const ring = (count: number): Mesh[] =>
@@ -351,12 +303,6 @@ describe('parts of several materials', () => {
     expect(darkness(few, materials[1])).toBeGreaterThan(0.15);
     expect(light).toBeCloseTo(darkness(few, materials[1]) / 2, 2);
     expect(dark).toBeCloseTo(light, 5);
-  });
-
-  test('whose greys are alike keep one tone, as one part has', () => {
-    const materials = [grey(0.5, 'a'), grey(0.5, 'b')];
-    const fit = fitExposure(sceneOf(...train(materials), sun(1)));
-    expect(materials.map((material) => darkness(fit, material))).toEqual([0, 0]);
   });
 });
 
