@@ -10,7 +10,7 @@ export type * from './look/hatchingProperties.js';
 export type { HiddenOutlines } from './look/hiddenOutlines.js';
 export type { BackgroundNumberName } from './material/backgroundProperties.js';
 export type { HatchingMaterialParameters } from './material/checkValues.js';
-export type { ToneFit, ValuePlan } from './material/exposure/ToneFit.js';
+export type { PlannedTones, SurfaceFacts, ToneFit, ValueCurve, ValuePlan } from './material/exposure/ToneFit.js';
 export { SceneExtent } from './material/fading/SceneExtent.js';
 export type { ToneCurve, ToneCurvePoint } from './material/fitToneCurve.js';
 export type { HatchingFormOptions } from './material/geometry/HatchingFormOptions.js';

@@ -88,6 +88,12 @@ class Draughtsmen {
     this.counts = isPiped ? process.stderr : process.stdout;
   }
 
+  /** Whether there are several pens, each of which is reported. */
+  private get hasPens(): boolean {
+    const { pens, pen } = this.options;
+    return pens !== undefined || typeof pen === 'object';
+  }
+
   /** @returns how many models failed or were drawn incompletely */
   async draw(jobs: number): Promise<number> {
     const waiting = [...this.planned.keys()];
@@ -114,7 +120,7 @@ class Draughtsmen {
           for (const { ending, text } of texts) await files.write(withEnding(outputs[frame], ending), text);
           const now = performance.now();
           this.tell(this.counts, `${nameOf(outputs[frame])}: ${describe(counts, (now - began) / 1000)}`);
-          if (counts.layers.length > 1)
+          if (this.hasPens)
             for (const layer of counts.layers)
               this.tell(this.counts, `${nameOf(outputs[frame])}, ${layer.name}: ${describeLayer(layer)}`);
           began = now;

@@ -249,7 +249,8 @@ async function drawFrames(
     signal: AbortSignal;
   },
 ): Promise<void> {
-  const { kind, pen, pens, refill, isSplit, written, lines, shortest, margin, dpi, paper, order, hidden, animate } = options;
+  const { kind, pen, pens, refill, isSplit, written, lines, shortest, margin, dpi, paper, order, hidden, animate } =
+    options;
   const told = new Set<string>();
   for (let frame = 0; frame < frames; frame++) {
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
@@ -259,7 +260,14 @@ async function drawFrames(
     const stage = frames === 1 ? 'drawing' : `drawing frame ${frame + 1} of ${frames}`;
     const { svg, files, dxf, leftOut, ...counts } = await drawSVG(scene, placed.camera, {
       ...{ kind, sheet, margin, dpi, order, hidden, animate },
-      ...(kind === 'pen' && { penWidth: pen, pens, refill, lines: lines ?? (frames > 1 ? 'canvas' : 'even'), shortest, dxf: written === 'dxf' }),
+      ...(kind === 'pen' && {
+        penWidth: pen,
+        pens,
+        refill,
+        lines: lines ?? (frames > 1 ? 'canvas' : 'even'),
+        shortest,
+        dxf: written === 'dxf',
+      }),
       ...(isSplit && { split: 'pen' }),
       ...(paper !== undefined && { paper }),
       signal: to.signal,

@@ -32,7 +32,7 @@ export interface ValueCurve {
 
 /** A plan of values: a curve, and the surfaces to which it gives one darkness instead. */
 export interface ValuePlan extends ValueCurve {
-  /** The tones of surfaces that their colours alone would not tell from what lies beside them; null if there are none. */
+  /** The tones of surfaces that consist of many small parts; null if there are none. */
   tones: PlannedTones | null;
 }
 

@@ -27,6 +27,8 @@ export const PLOTTERS = {
   },
 } as const satisfies Readonly<Record<string, PlotterSpeeds>>;
 
+export type PlotterName = keyof typeof PLOTTERS;
+
 /** A path of a pen. Millimetres. */
 interface PlottedPath {
   length: number;

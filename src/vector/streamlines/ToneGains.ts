@@ -6,8 +6,8 @@ const SQUARE = 20 / 3;
 /** The greatest change in one round, and in all. */
 const CHANGE = [0.7, 1.4] as const;
 const RANGE = [0.6, 1.6] as const;
-/** Squares with less tone learn nothing, and ink that is added to both sides, so that little tone changes little. Square millimetres. */
-const LEAST = 1;
+/** The share of a square up to which tone teaches nothing, and ink that is added to both sides, so that little tone changes little. */
+const LEAST = 0.25;
 
 const within = (value: number, [least, most]: readonly [number, number]): number =>
   Math.min(Math.max(value, least), most);
@@ -46,6 +46,7 @@ export class ToneGains {
   /** Learns from lines of a set. */
   learn(set: number, points: LinePoints): void {
     const { fields, side, pen, gains } = this;
+    const least = LEAST * side ** 2;
     const wanted = new Float32Array(gains.length);
     const drawn = new Float32Array(gains.length);
     const square = (x: number, y: number): number => Math.floor(y / side) * this.columns + Math.floor(x / side);
@@ -60,8 +61,8 @@ export class ToneGains {
     }
     const [asked, got] = [this.spread(wanted), this.spread(drawn)];
     for (let i = 0; i < gains.length; i++) {
-      if (asked[i] <= LEAST) continue;
-      gains[i] = within(gains[i] * within((asked[i] + LEAST) / (got[i] + LEAST), CHANGE), RANGE);
+      if (asked[i] <= least) continue;
+      gains[i] = within(gains[i] * within((asked[i] + least) / (got[i] + least), CHANGE), RANGE);
     }
   }
 

@@ -99,10 +99,32 @@ export function* evenLines(
       const world = isDeep || strokes ? worldOf(found, read[owner], sheet) : null;
       for (const numbers of [found, strokes?.shifts ?? []])
         for (let o = 0; o < numbers.length; o++) numbers[o] /= scale;
+      keepOnPicture(found, projection);
       lines.push({ layer, surface: surfaces[owner], points: found, world, strokes });
     }
   }
   return lines;
+}
+
+/** Takes what lies beyond the edge of the picture back to it: the ends of a line along the line. */
+function keepOnPicture(points: number[], { width, height }: Projection): void {
+  const last = points.length - 2;
+  for (let o = 2; o < last; o += 2) {
+    points[o] = Math.min(Math.max(points[o], 0), width);
+    points[o + 1] = Math.min(Math.max(points[o + 1], 0), height);
+  }
+  for (const [end, next] of [
+    [0, 2],
+    [last, last - 2],
+  ]) {
+    const [x, y] = [points[end], points[end + 1]];
+    const [dx, dy] = [points[next] - x, points[next + 1] - y];
+    const onto = (value: number, step: number, most: number): number =>
+      step === 0 ? 0 : value < 0 ? -value / step : value > most ? (most - value) / step : 0;
+    const share = Math.min(Math.max(onto(x, dx, width), onto(y, dy, height), 0), 1);
+    points[end] += share * dx;
+    points[end + 1] += share * dy;
+  }
 }
 
 /** The points of a line to where its surface ends, to which its strokes are extended. */

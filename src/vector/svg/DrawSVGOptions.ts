@@ -5,7 +5,7 @@ import { checkColor } from '../../material/checkProperty.js';
 import { checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import type { DrawingPlan } from '../DrawnScene.js';
 import { PEN_LAYERS, PEN_PARTS, type Pen, type PenLayers, type PenPart, type PenPlan } from '../plot/pens.js';
-import { PLOTTERS, type PlotterSpeeds } from '../plot/plotTime.js';
+import { PLOTTERS, type PlotterName, type PlotterSpeeds } from '../plot/plotTime.js';
 import { isSide, lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';
 
 /** Default duration of an animated drawing. */
@@ -38,7 +38,7 @@ export interface DrawSVGOptions extends TaskOptions {
   /** Metres of line after which a layer pauses, so that the pen can be filled, above 0, with `kind: 'pen'`. Default: never. */
   refill?: number | undefined;
   /** The plotter whose time is estimated, with `kind: 'pen'`: a name or its speeds. Default: `'axidraw'`. */
-  plotter?: keyof typeof PLOTTERS | PlotterSpeeds | undefined;
+  plotter?: PlotterName | PlotterSpeeds | undefined;
   /** `'pen'`: the result has a file for each pen, too, with `kind: 'pen'`. Default: none. */
   split?: 'pen' | undefined;
   /** Whether the result has the drawing in DXF, too, with `kind: 'pen'`. Default: false. */

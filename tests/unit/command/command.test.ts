@@ -66,7 +66,7 @@ test('draws the same bytes as its source', { tags: ['all'] }, async () => {
   const { code, stdout } = await draw(...args);
   expect(code).toBe(0);
   expect(stdout).toMatch(
-    /^out\/a\.svg: [\d,]+ paths, \d+\.\d\d m drawn, \d+\.\d\d m of travel \(\d+\.\d\d m before ordering\), [\d.]+ s\.\n$/,
+    /^out\/a\.svg: [\d,]+ paths, \d+\.\d\d m drawn, \d+\.\d\d m of travel \(\d+\.\d\d m before ordering\),( about \d+ min to plot,)? [\d.]+ s\.\n(out\/a\.svg, [a-z]+: [\d,]+ paths?, [\d.]+ m(, about \d+ min)?\n)*$/,
   );
   const { options } = parseDrawing(args) as { options: DrawingOptions };
   const messages: DrawMessage[] = [];
@@ -81,7 +81,9 @@ describe('standard input and output', () => {
     const { code, stdout, stderr } = await run(['draw', '-', '--out', '-', ...SMALL], undefined, octahedronGlb());
     expect(code).toBe(0);
     expect(stdout).toMatch(/^<svg [\s\S]*<\/svg>\n$/);
-    expect(stderr).toMatch(/^the standard output: [\d,]+ paths, [^\n]* s\.\n$/);
+    expect(stderr).toMatch(
+      /^the standard output: [\d,]+ paths, [^\n]* s\.\n(the standard output, [a-z]+: [\d,]+ paths?, [\d.]+ m(, about \d+ min)?\n)*$/,
+    );
     expect(tree()).toEqual(['a.obj']);
   });
 
@@ -168,7 +170,7 @@ describe('how it ends', () => {
     [['draw', 'a.obj'], '--out is missing'],
     [['draw', 'a.obj', '--out', 'a.svg', '--pen', 'x'], '--pen is x'],
     [['draw', '*.zip', '--out', 'a.svg'], '*.zip matches no file'],
-    [['draw', 'a.obj', '--out', 'a.dxf'], 'only SVG is written'],
+    [['draw', 'a.obj', '--out', 'a.pdf'], 'only SVG and DXF are written'],
     [['draw', 'a.obj', '-', '--out', 'one.svg'], 'one file, but there are several models'],
     [['draw', 'a.obj', '--out', '-', '--frames', '2'], 'the standard output takes one drawing'],
     [['paint'], '"paint" is not a command; the commands are tam and draw.'],

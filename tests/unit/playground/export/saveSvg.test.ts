@@ -5,7 +5,7 @@ import { saveSvg } from '../../../../src/playground/export/saveSvg.js';
 import { planPrint } from '../../../../src/playground/print/print.js';
 import { defaultSettings, type Settings } from '../../../../src/viewer/settings/settings.js';
 
-vi.mock('three-hatching/svg', () => ({ drawSVG: vi.fn() }));
+vi.mock('three-hatching/svg', () => ({ drawSVG: vi.fn(), plottingTime: () => 'about 5 min' }));
 vi.mock('../../../../src/playground/export/download.js', () => ({ download: vi.fn() }));
 vi.mock('../../../../src/playground/export/drawCovered.js', () => ({
   drawCovered: (_stage: unknown, settings: Settings, _signal: AbortSignal, draw: CallableFunction) =>
@@ -16,7 +16,7 @@ const drawn = vi.mocked(drawSVG);
 
 beforeEach(() => {
   vi.clearAllMocks();
-  drawn.mockResolvedValue({ svg: '<svg/>', paths: 1200, leftOut: [] } as never);
+  drawn.mockResolvedValue({ svg: '<svg/>', paths: 1200, plotSeconds: null, leftOut: [] } as never);
 });
 
 const camera = { clone: () => ({ setViewOffset: () => {} }) };
@@ -44,7 +44,7 @@ test('strokes of a map are left out for a pen with a message; without anything e
   const { said, asked } = await saved({ technique: 'hatching', pictureSvg: 'pen' });
   expect(said).toMatch(/^Saved as SVG without its strokes, which a pen cannot draw: /);
   expect(asked.picture).toBeUndefined();
-  drawn.mockResolvedValue({ svg: '<svg/>', paths: 0, leftOut: [] } as never);
+  drawn.mockResolvedValue({ svg: '<svg/>', paths: 0, plotSeconds: null, leftOut: [] } as never);
   vi.mocked(download).mockClear();
   await expect(saved({ technique: 'hatching', pictureSvg: 'pen' })).rejects.toThrow(
     'there are no lines: the strokes come from a map, which a pen cannot draw.',

@@ -181,7 +181,7 @@ test('hard shadows darken what they fall on, and what receives none stays as it 
   const without = await inkOf();
   wall.receiveShadow = true;
   const withShadow = await inkOf();
-  expect(withShadow).toBeGreaterThan(without + 100);
+  expect(withShadow).toBeGreaterThan(without + 50);
   expect((await drawSVG(scene, cameraAt(0, 0, 1), { kind: 'pen', sheet, shadows: false })).drawn).toBe(without);
 });
 
