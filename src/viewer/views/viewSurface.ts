@@ -78,20 +78,20 @@ const UPRIGHT: Readonly<Record<UpAxis, readonly [sign: number, axis: 0 | 1 | 2][
 
 /** Turns triangles upright, fits them into the unit sphere, and merges vertices of large ones that are close together. */
 export function viewSurface({ positions, indices, isSingleSided, parts }: ViewTriangles, up: UpAxis): ViewSurface {
-  const fit = fitting(positions, UPRIGHT[up]);
-  const upright = fit(positions);
+  const asFitted = fitting(positions, UPRIGHT[up]);
+  const upright = asFitted(positions);
   const count = Math.floor((indices?.length ?? positions.length / 3) / 3);
   const corners = new Uint32Array(3 * count);
   for (let corner = 0; corner < corners.length; corner++) corners[corner] = indices ? indices[corner] : corner;
   const { points, joined } = count > MANY ? clustered(upright, corners) : { points: upright, joined: corners };
-  return { ...measured(points, joined, isSingleSided), landmarks: landmarksIn(parts, upright, fit) };
+  return { ...measured(points, joined, isSingleSided), landmarks: landmarksIn(parts, upright, asFitted) };
 }
 
 type Fit = (points: ArrayLike<number>) => Float32Array<ArrayBuffer>;
 
-function landmarksIn(parts: NamedPoints | undefined, upright: Float32Array, fit: Fit): Landmark[] {
+function landmarksIn(parts: NamedPoints | undefined, upright: Float32Array, asFitted: Fit): Landmark[] {
   if (!parts) return [];
-  return landmarksOf(parts.points ? fit(parts.points) : upright, parts);
+  return landmarksOf(parts.points ? asFitted(parts.points) : upright, parts);
 }
 
 /** The function that turns points upright, and moves and scales them as these positions have to be to lie in the unit sphere. */
