@@ -13,8 +13,8 @@ export interface FileLayer {
   pen: number | null;
   /** Percent of the plotter's greatest speed; null for the plotter's own setting. */
   speed: number | null;
-  /** Lines, or dots: the file has lines below the dots of the same pen. */
   paths: readonly LinePath[];
+  /** Null for a layer of lines. */
   dots: DotLayer['dots'] | null;
 }
 

@@ -9,6 +9,7 @@ import {
   type PerspectiveCamera,
   type Plane,
 } from 'three';
+import { mix } from '../../look/vectors.js';
 import { ExposureFit } from '../../material/exposure/ExposureFit.js';
 import { planScene } from '../../material/exposure/planScene.js';
 import type { ToneFit } from '../../material/exposure/ToneFit.js';
@@ -205,19 +206,21 @@ class SceneReader {
     this.copies.set(mesh, [...known, { copy, posed }]);
     if (mesh.castShadow) this.noteCaster(mesh, copy);
     for (const [i, part] of parts.entries()) {
-      const from = i / parts.length;
-      const corners = yield* asPhase(cornersOf(mesh, part, copy), from, (i + 0.1) / parts.length);
-      const middle = (i + 0.4) / parts.length;
+      const [from, to] = [i / parts.length, (i + 1) / parts.length];
+      const [read, divided, added] = [0.1, 0.15, 0.4].map((share) => mix(from, to, share));
+      const corners = yield* asPhase(cornersOf(mesh, part, copy), from, read);
       const paint = this.paints.needs(mesh, part.material, copy);
       const source = { mesh, copy, posed, material: part.material as Painted, paint };
       const isDrawn = whyNoLines(mesh, part.material) === undefined && part.material.colorWrite;
-      const ofPens = isDrawn ? yield* this.matcher.divide(source, corners) : [{ ink: null, corners }];
+      const ofPens = isDrawn
+        ? yield* asPhase(this.matcher.divide(source, corners), read, divided)
+        : [{ ink: null, corners }];
       const sorted = ofPens.length === 1 ? corners : joined(ofPens.map((one) => one.corners));
-      let firstTriangle = yield* asPhase(this.addTriangles(source, sorted), (i + 0.1) / parts.length, middle);
+      let firstTriangle = yield* asPhase(this.addTriangles(source, sorted), divided, added);
       if (!isDrawn) continue;
-      for (const { ink, corners } of ofPens) {
+      for (const [k, { ink, corners }] of ofPens.entries()) {
         const adding = this.addSurface(source, part.material as HatchingMaterial, { corners, firstTriangle }, ink);
-        yield* asPhase(adding, middle, (i + 1) / parts.length);
+        yield* asPhase(adding, mix(added, to, k / ofPens.length), mix(added, to, (k + 1) / ofPens.length));
         firstTriangle += corners.length / 3;
       }
     }
