@@ -71,6 +71,8 @@ export interface DrawingOptions {
   lines: 'even' | 'canvas' | undefined;
   /** Shorter lines of a pen are left out, millimetres; undefined for the default. */
   shortest: number | undefined;
+  /** How often pens may pass over a place; undefined for the default. */
+  maxPasses: number | undefined;
   sheet: Sheet;
   margin: number;
   dpi: number;
@@ -170,6 +172,7 @@ const OPTIONS = {
   split: { type: 'string' },
   lines: { type: 'string' },
   shortest: { type: 'string' },
+  'max-passes': { type: 'string' },
   sheet: { type: 'string' },
   margin: { type: 'string' },
   dpi: { type: 'string' },
@@ -233,6 +236,7 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --split pen              a file for each pen
   --lines <even|canvas>    lines of a pen evenly apart, or just those of the canvas (default even; canvas for frames)
   --shortest <mm>          leaves out lines of a pen that are shorter, as each takes a lift (default 1)
+  --max-passes <1|2|3>     leaves out lines and dots where pens have passed so often already (default 2)
   --sheet <size>           ${Object.keys(SHEET_SIZES).join(', ')}, turned to suit the model;
                            "A4 landscape" or "A4 portrait"; or as 200x150 in millimetres or 8.5x11in (default ${DEFAULTS.sheet})
   --margin <mm>            what stays blank on all sides (default ${DEFAULTS.margin})
@@ -290,6 +294,10 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     throw new UsageError('--lines is for a pen; a print has the lines of the canvas. Pass --kind pen, or --pen.');
   if (kind !== 'pen' && values.shortest !== undefined)
     throw new UsageError('--shortest is for a pen; a print has no lifts. Pass --kind pen, or --pen with its width.');
+  if (kind !== 'pen' && values['max-passes'] !== undefined)
+    throw new UsageError(
+      '--max-passes is for a pen; a print wets paper once. Pass --kind pen, or --pen with its width.',
+    );
   if (values.shadows && values['no-shadows'])
     throw new UsageError('--shadows and --no-shadows exclude each other; pass only one of them.');
   const sheet = sheetOf(values.sheet ?? DEFAULTS.sheet);
@@ -322,6 +330,7 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     isSplit: choice('split', values.split, ['pen']) === 'pen',
     lines: choice('lines', values.lines, ['even', 'canvas']),
     shortest: number('shortest', values.shortest, { least: 0, most: 1000 }),
+    maxPasses: passesOf(values['max-passes']),
     dpi: number('dpi', values.dpi, { least: 10, most: 1200 }) ?? DEFAULTS.dpi,
     paper: colour(values.paper),
     order: choice('order', values.order, ['travel', 'drawn']) ?? DEFAULTS.order,
@@ -335,6 +344,11 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     );
   const jobs = whole('jobs', values.jobs, 64) ?? DEFAULTS.jobs;
   return { action: 'draw', models, out: values.out, force: values.force ?? false, jobs, options };
+}
+
+function passesOf(text: string | undefined): number | undefined {
+  const passes = choice('max-passes', text, ['1', '2', '3']);
+  return passes && Number(passes);
 }
 
 /** Options that only a pen's drawing has, and that ask for one. */

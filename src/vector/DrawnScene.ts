@@ -104,6 +104,8 @@ export interface DrawingPlan {
   lines: 'even' | 'canvas';
   /** Shorter lines of a pen are omitted. */
   shortest: number;
+  /** The greatest number of times that pens pass over a place. */
+  maxPasses: number;
   /** The width of the thinnest line of a print; 0 for no limit. */
   leastWidth: number;
   /** CSS pixels per inch of the sheet, for the sizes of materials and outlines. */

@@ -95,7 +95,7 @@ export interface PathLayer {
 }
 
 /** The width of the pen that draws a part of a drawing in an ink, pixels. */
-type PenWidths = (part: PenPart, ink: string) => number;
+export type PenWidths = (part: PenPart, ink: string) => number;
 
 /** Draws the lines of a scene into layers, pixels of the picture. */
 export class LineDrawer {

@@ -1,13 +1,15 @@
+import { mix } from '../look/vectors.js';
 import { asPhase } from '../mesh/phases.js';
 import type { Task } from '../worker/TaskSet.js';
 import { Bvh } from './Bvh.js';
 import type { DrawingPlan, DrawnScene } from './DrawnScene.js';
 import { drawDots } from './drawDots.js';
-import { LineDrawer } from './LineDrawer.js';
+import { LineDrawer, type PenWidths } from './LineDrawer.js';
 import { Projection } from './Projection.js';
 import { finishDots } from './paths/finishDots.js';
-import { finishPaths, type PathCounts, type Placement, type WrittenPath } from './paths/finishPaths.js';
+import { finishPaths, joinedInk, type PathCounts, type Placement, type WrittenPath } from './paths/finishPaths.js';
 import { type SVGLayer, type SVGSheet, writeSVG } from './paths/writeSVG.js';
+import { limitPasses, type Penned } from './plot/limitPasses.js';
 import { type FileLayer, fileLayers } from './plot/penLayers.js';
 import { LAYERS, type PenPart, penWidth, thickestPen } from './plot/pens.js';
 import { plotSeconds } from './plot/plotTime.js';
@@ -17,6 +19,9 @@ import { writeDxf } from './plot/writeDxf.js';
 /** The phases of a drawing, in order. */
 const PHASES = ['building', 'outlines', 'surfaces', 'backgrounds', 'dots', 'finishing'] as const;
 type DrawingPhase = (typeof PHASES)[number];
+
+/** The share of finishing that is taken by the limit of passes. */
+const LIMITED = 0.3;
 
 /** The number of triangles above which they take more time than lines. */
 const MANY = 300_000;
@@ -87,9 +92,26 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   yield* asPhase(drawer.drawBackgrounds(), ...phases.backgrounds);
   const dots = yield* asPhase(drawDots(scene, projection, bvh, drawer.translucency, drawer.above), ...phases.dots);
   const lines = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
-  const finishing = finishLayers(fileLayers(lines, dots, pens), plan, projection, placement);
-  const finished = yield* asPhase(finishing, ...phases.finishing);
+  const [from, to] = phases.finishing;
+  const limiting = limited({ lines, dots }, widths, plan, projection, scale);
+  const left = yield* asPhase(limiting, from, mix(from, to, LIMITED));
+  const finishing = finishLayers(fileLayers(left.lines, left.dots, pens), plan, projection, placement);
+  const finished = yield* asPhase(finishing, mix(from, to, LIMITED), to);
   return { ...written(finished, plan, projection, placement), segments: drawer.segments };
+}
+
+/** Lines and dots as often over one another as paper holds. widths: of pens, null for a print. */
+function* limited(
+  { lines, dots }: Penned,
+  widths: PenWidths | null,
+  { maxPasses, shortest }: DrawingPlan,
+  { width, height }: Projection,
+  scale: number,
+): Generator<number, Penned, void> {
+  if (widths === null) return { lines, dots };
+  const joined = lines.map((layer) => ({ ...layer, paths: joinedInk(layer.paths, scale) }));
+  const limit = { passes: maxPasses, widthOf: widths, shortest: shortest / scale, width, height };
+  return yield* limitPasses({ lines: joined, dots }, limit);
 }
 
 /** A layer with its paths as they are written. */

@@ -36,7 +36,7 @@ export interface PlotRow extends PlotFigures {
 const PEN = 0.3;
 /** Width of a cell of tone in samples of the sheet. */
 const CELL = 8;
-/** The layers that are measured. */
+/** The layers of hatching. */
 const LAYERS = ['lines', 'crossing', 'shadows'];
 
 /** @param output folder for the drawings */
@@ -50,7 +50,11 @@ export async function measurePlot({ name, file, content, preset }: PlotSource, o
     const { svg } = await drawSVG(scene, camera, options);
     const { user, system } = process.cpuUsage(start);
     writeFileSync(join(output, `${name}-${lines}.svg`), svg);
-    const figures = plotFigures(layersOf(svg), PEN, sheet, wantedTones(scene, camera, options));
+    const drawn = layersOf(svg);
+    const isHatching = ([name]: readonly [string, unknown]): boolean => LAYERS.includes(name);
+    const hatching = new Map([...drawn].filter(isHatching));
+    const others = [...drawn].filter((layer) => !isHatching(layer)).flatMap(([, paths]) => paths);
+    const figures = plotFigures(hatching, others, PEN, sheet, wantedTones(scene, camera, options));
     rows.push({ model: name, lines, ...figures, seconds: (user + system) / 1e6 });
   }
   return rows;
@@ -80,12 +84,11 @@ async function staged(file: string, content: Uint8Array, preset: string) {
   return { scene, camera: placed.camera, sheet };
 }
 
-/** The paths of the measured layers of a file. */
+/** The paths of a file by the names of their layers, without inks. */
 function layersOf(svg: string): Map<string, number[][]> {
   const layers = new Map<string, number[][]>();
   for (const [, label, body] of svg.matchAll(/inkscape:label="\d+ ([^"]*)"[^>]*>([\s\S]*?)<\/g>/g)) {
-    const name = LAYERS.find((one) => label.startsWith(one));
-    if (!name) continue;
+    const name = label.split(' ')[0];
     const paths = [...body.matchAll(/<path d="([^"]*)"/g)].map(([, data]) => pointsOf(data));
     layers.set(name, [...(layers.get(name) ?? []), ...paths]);
   }

@@ -25,7 +25,7 @@ export interface PlotFigures {
   /** The share of strokes shorter than 1.5 mm, and the median length, millimetres. */
   short: number;
   median: number;
-  /** The share of the inked area with three passes or more. */
+  /** The share of the inked area with three passes or more, outlines and dots included. */
   soaked: number;
   /** Metres. */
   ink: number;
@@ -61,11 +61,13 @@ function lengthOf(points: Points): number {
 /**
  * Measures the hatching of a drawing.
  *
- * @param layers paths by the names of their layers, without outlines
+ * @param layers paths of the hatching by the names of their layers
+ * @param others paths that count for passes alone, such as outlines
  * @param pen its width, millimetres
  */
 export function plotFigures(
   layers: ReadonlyMap<string, readonly Points[]>,
+  others: readonly Points[],
   pen: number,
   sheet: readonly [width: number, height: number],
   wanted: WantedTones,
@@ -73,8 +75,9 @@ export function plotFigures(
   const paths = [...layers.values()].flat();
   const lengths = paths.map(lengthOf).sort((a, b) => a - b);
   const passes = passesOf(paths, pen, sheet);
-  const inked = passes.counts.reduce((total, count) => total + Number(count > 0), 0);
-  const soaked = passes.counts.reduce((total, count) => total + Number(count >= SOAKED), 0);
+  const { counts } = passesOf([...paths, ...others], pen, sheet);
+  const inked = counts.reduce((total, count) => total + Number(count > 0), 0);
+  const soaked = counts.reduce((total, count) => total + Number(count >= SOAKED), 0);
   const errors = toneErrors(passes, wanted);
   return {
     families: [...layers].flatMap(([name, own]) => {

@@ -249,8 +249,8 @@ async function drawFrames(
     signal: AbortSignal;
   },
 ): Promise<void> {
-  const { kind, pen, pens, refill, isSplit, written, lines, shortest, margin, dpi, paper, order, hidden, animate } =
-    options;
+  const { kind, pen, pens, refill, isSplit, written, lines, shortest, maxPasses, margin, dpi, ...others } = options;
+  const { paper, order, hidden, animate } = others;
   const told = new Set<string>();
   for (let frame = 0; frame < frames; frame++) {
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
@@ -265,7 +265,7 @@ async function drawFrames(
         pens,
         refill,
         lines: lines ?? (frames > 1 ? 'canvas' : 'even'),
-        shortest,
+        ...{ shortest, maxPasses },
         dxf: written === 'dxf',
       }),
       ...(isSplit && { split: 'pen' }),

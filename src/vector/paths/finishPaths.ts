@@ -57,8 +57,7 @@ export function* finishPaths(
   const leastOf = ({ isDash }: LinePath): number =>
     pen === null ? SHORTEST : isDash ? SHORTEST_DASH_IN_PENS * pen : shortest;
   const kept: LinePath[] = [];
-  const inked = paths.filter(hasInk);
-  const joined = pen === null ? inked : joinPaths(inked, JOINED / scale);
+  const joined = pen === null ? paths.filter(hasInk) : joinedInk(paths, scale);
   for (const [k, path] of joined.entries()) {
     if (k % 16 === 15) yield (0.3 * k) / joined.length;
     if (pathLength(path) * scale < leastOf(path)) continue;
@@ -95,6 +94,10 @@ export function* finishPaths(
   }
   return { written, counts };
 }
+
+/** The paths of a pen that can be drawn, joined where they go on in one another. scale: millimetres per pixel. */
+export const joinedInk = (paths: readonly LinePath[], scale: number): LinePath[] =>
+  joinPaths(paths.filter(hasInk), JOINED / scale);
 
 /** Farther coordinates have lost their precision, pixels. */
 const FARTHEST = 1e7;

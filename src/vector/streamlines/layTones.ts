@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../look/vectors.js';
+import { mix, smoothstep, type Vec3 } from '../../look/vectors.js';
 import type { EngravedPlace, Engraver, FamilyName } from '../Engraver.js';
 import { drawnShareOf } from '../lineMarks.js';
 import { leftOf, otherShare } from '../shading/crossedTones.js';
@@ -27,6 +27,8 @@ export interface LaidTone {
 
 /** Tones above this one are drawn as this one: the lines of a pen get no closer. */
 const MOST = 0.95;
+/** Tones between which lines that cross give way, so that a solid dark is drawn once. */
+const SOLID = [0.87, 0.95] as const;
 /** The share of the first family below which those that cross it take its place, and that of side B. */
 const HALF = 0.5;
 
@@ -59,11 +61,14 @@ export function layTones(engraver: Engraver, at: EngravedPlace, tones: Tones): (
   const [first, cross] = [toneOf('first'), bothOf('cross')];
   // Where the first family runs along the surface, one set of lines has all of its tone.
   const alone = first + (1 - (at.cut?.firstShare ?? 1)) * (over(first, cross) - first);
+  const [third, shadow] = [bothOf('third'), bothOf('shadow')];
+  const all = over(over(first, cross), over(third, shadow));
+  const solid = smoothstep(...SOLID, all);
   const of: Record<LayName, number> = {
-    first: alone,
-    cross: leftOf(over(first, cross), alone),
-    third: bothOf('third'),
-    shadow: bothOf('shadow'),
+    first: mix(alone, all, solid),
+    cross: (1 - solid) * leftOf(over(first, cross), alone),
+    third: (1 - solid) * third,
+    shadow: (1 - solid) * shadow,
   };
   return LAYS.map(({ name }): LaidTone | null => {
     const family = familyOf(name, at.cut);

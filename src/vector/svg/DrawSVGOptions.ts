@@ -55,6 +55,11 @@ export interface DrawSVGOptions extends TaskOptions {
    */
   shortest?: number | undefined;
   /**
+   * With `kind: 'pen'`, the greatest number of times that pens pass over a place of the paper, 1, 2 or 3: beyond it lines that cross and dots are left
+   * out, so that paper gets no wetter. Outlines come before lines. Default: 2.
+   */
+  maxPasses?: number | undefined;
+  /**
    * The width of the thinnest line that a press can hold, 0 or more, with `kind: 'print'`: thinner lines become dashes of this width with
    * the same tone. 0 lets lines taper to nothing. Default: 0.05.
    */
@@ -108,6 +113,7 @@ const FOR_PENS = {
   penWidth: 'Leave it out, or draw with a pen',
   lines: 'A print has the lines of the canvas',
   shortest: 'A print has no lifts',
+  maxPasses: 'A print lays its inks down at once',
   pens: 'A print has an ink for each layer',
   refill: 'A print needs no ink again',
   plotter: 'A print takes no time to plot',
@@ -127,6 +133,7 @@ const NAMES = {
   dxf: true,
   lines: true,
   shortest: true,
+  maxPasses: true,
   leastWidth: true,
   dpi: true,
   shadows: true,
@@ -175,6 +182,7 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
     hasDxf: checkBoolean('dxf', options.dxf ?? false),
     lines: isPen ? (options.lines ?? 'even') : 'canvas',
     shortest: checkNumber('shortest', options.shortest ?? 1, { from: 0 }, 'drawSVG'),
+    maxPasses: checkPasses(options.maxPasses ?? 2),
     leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
     dpi: checkNumber('dpi', options.dpi ?? 96, { above: 0, to: 2400 }, 'drawSVG'),
     animate: secondsOf(options.animate ?? false),
@@ -185,6 +193,8 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
 
 /** The width of a pen, millimetres. */
 const PEN_WIDTH = 0.3;
+/** How often pens may pass over a place. */
+const PASSES: readonly number[] = [1, 2, 3];
 
 const checkWidth = (name: string, width: number): number => checkNumber(name, width, { above: 0 }, 'drawSVG');
 
@@ -243,6 +253,11 @@ function plotterOf(plotter: NonNullable<DrawSVGOptions['plotter']>): PlotterSpee
       return [name, checkNumber(`plotter.${name}`, plotter[name] ?? PLOTTERS.axidraw[name], limits, 'drawSVG')];
     }),
   ) as unknown as PlotterSpeeds;
+}
+
+function checkPasses(passes: number): number {
+  if (PASSES.includes(passes)) return passes;
+  throw new RangeError(`drawSVG.maxPasses: ${String(passes)} is not 1, 2 or 3.`);
 }
 
 function isSplit(split: unknown): boolean {

@@ -128,7 +128,8 @@ describe('the command line of draw', () => {
   });
 
   test('without a pen the drawing is for print, with or without shadows', () => {
-    expect(drawing(...OUT).options).toMatchObject({ kind: 'print', pen: 0.3, shortest: undefined });
+    expect(drawing(...OUT).options).toMatchObject({ kind: 'print', pen: 0.3, shortest: undefined, maxPasses: undefined });
+    expect(drawing(...OUT, '--pen', '0.3', '--max-passes', '3').options.maxPasses).toBe(3);
     expect(drawing(...OUT, '--pen', '0.3', '--shortest', '0').options).toMatchObject({ kind: 'pen', shortest: 0 });
     expect(drawing(...OUT, '--kind', 'pen').options).toMatchObject({ kind: 'pen', lines: undefined });
     expect(drawing(...OUT, '--kind', 'pen', '--lines', 'canvas').options.lines).toBe('canvas');
@@ -183,6 +184,8 @@ test.each([
   [[...OUT, '--lines', 'even'], '--lines is for a pen'],
   [[...OUT, '--pen', '0.3', '--lines', 'odd'], '--lines is odd'],
   [[...OUT, '--shortest', '2'], '--shortest is for a pen'],
+  [[...OUT, '--max-passes', '2'], '--max-passes is for a pen'],
+  [[...OUT, '--pen', '0.3', '--max-passes', '4'], '--max-passes is 4'],
   [[...OUT, '--pen', '0.3', '--paper', '#ffffff'], '--paper is for print'],
   [[...OUT, '--paper', 'white'], '--paper is white, but must be a colour as "#f4f1e6"'],
   [[...OUT, '--shadows', '--no-shadows'], '--shadows and --no-shadows exclude each other'],
