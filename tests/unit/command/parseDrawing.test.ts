@@ -128,7 +128,12 @@ describe('the command line of draw', () => {
   });
 
   test('without a pen the drawing is for print, with or without shadows', () => {
-    expect(drawing(...OUT).options).toMatchObject({ kind: 'print', pen: 0.3, shortest: undefined, maxPasses: undefined });
+    expect(drawing(...OUT).options).toMatchObject({
+      kind: 'print',
+      pen: 0.3,
+      shortest: undefined,
+      maxPasses: undefined,
+    });
     expect(drawing(...OUT, '--pen', '0.3', '--max-passes', '3').options.maxPasses).toBe(3);
     expect(drawing(...OUT, '--pen', '0.3', '--shortest', '0').options).toMatchObject({ kind: 'pen', shortest: 0 });
     expect(drawing(...OUT, '--kind', 'pen').options).toMatchObject({ kind: 'pen', lines: undefined });
