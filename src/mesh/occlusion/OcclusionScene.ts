@@ -38,15 +38,17 @@ export interface OcclusionScene {
   twoSided: number;
   /**
    * x, y, z of each sample: a position on a surface where occlusion is measured, lifted off it by a pixel of its view. First come those of
-   * vertices, then those within triangles, each of which stands for a vertex.
+   * vertices, then those within triangles, each of which is of a stand-in for a vertex.
    */
   samplePositions: Float32Array<ArrayBuffer>;
   /** The unit normal of each sample of a vertex, zero if it has none; then those of stand-ins. */
   sampleNormals: Float32Array<ArrayBuffer>;
-  /** For each sample within a triangle the sample of the vertex that it stands for, or the number of vertices plus that of a stand-in. */
+  /** For each sample within a triangle the number of its stand-in, after those of vertices. */
   standsFor: Uint32Array<ArrayBuffer>;
   /** For each stand-in the sample of the vertex whose occlusion it has if that vertex is buried in a body. */
   standIns: Uint32Array<ArrayBuffer>;
+  /** For each stand-in 1 if it is of a large triangle and counts beside its vertex, too, or else 0. */
+  areLarge: Uint8Array<ArrayBuffer>;
   /**
    * Two sums for each sample of a vertex, then for each stand-in: the cosines of all directions so far, and the cosines of those in which
    * the sky is visible.

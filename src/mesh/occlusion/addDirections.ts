@@ -93,21 +93,22 @@ function occlusionsOf(occlusionAt: OcclusionAt, sampleOf: Uint32Array, backAfter
 const BURIED = 0.9;
 
 /**
- * The occlusion of a sample of a vertex: the share of the directions above it in which the sky is hidden, weighted by their cosines. A vertex
- * that is buried in a body has that of its stand-in, which is seen.
+ * The occlusion of a sample of a vertex: the share of the directions above it in which the sky is hidden, weighted by their cosines. A stand-in
+ * of large triangles counts beside its vertex. A vertex that is buried in a body has the occlusion of its stand-in, which is seen.
  */
-function occlusionIn({ sums, standIns, samplePositions, standsFor }: OcclusionScene): OcclusionAt {
-  const hiddenAt = (sample: number): number => {
-    const above = sums[2 * sample];
-    return above > 0 ? 1 - sums[2 * sample + 1] / above : 0;
-  };
+function occlusionIn({ sums, standIns, areLarge, samplePositions, standsFor }: OcclusionScene): OcclusionAt {
+  const share = (above: number, visible: number): number => (above > 0 ? 1 - visible / above : 0);
+  const hiddenAt = (sample: number): number => share(sums[2 * sample], sums[2 * sample + 1]);
   const vertices = samplePositions.length / 3 - standsFor.length;
-  const ofVertices = new Map(Array.from(standIns, (vertex, i) => [vertex, vertices + i]));
+  const ofVertices = new Map(Array.from(standIns, (vertex, i) => [vertex, i]));
   return (sample) => {
-    const hidden = hiddenAt(sample);
-    const standIn = hidden > BURIED ? ofVertices.get(sample) : undefined;
-    if (standIn === undefined) return hidden;
-    return hidden + ((hidden - BURIED) / (1 - BURIED)) * (hiddenAt(standIn) - hidden);
+    const own = hiddenAt(sample);
+    const i = ofVertices.get(sample);
+    if (i === undefined) return own;
+    const [at, within] = [2 * sample, 2 * (vertices + i)];
+    const seen = areLarge[i] === 1 ? share(sums[at] + sums[within], sums[at + 1] + sums[within + 1]) : own;
+    const buried = Math.max(0, (own - BURIED) / (1 - BURIED));
+    return seen + buried * (hiddenAt(vertices + i) - seen);
   };
 }
 

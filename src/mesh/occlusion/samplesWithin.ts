@@ -4,31 +4,33 @@ import type { OcclusionMesh, OcclusionScene } from './OcclusionScene.js';
 
 /** Twice the least area of a large triangle in a view of radius 1. */
 const LARGE = 0.04;
-/** The least length of a slender triangle in a view of radius 1, and the least times that it is longer than wide. */
+/** The least length of a long triangle in a view of radius 1, and the least times that a slender one is longer than wide. */
 const LONG = 0.1;
 const SLENDER = 4;
-/** The least cosine between the normal of a triangle and those of its corners: of a large one, which is flat, and of a slender one. */
+/** The least cosine between the normal of a triangle and those of its corners: of a flat one, and of a slender one. */
 const FLAT = 0.999;
 const STRAIGHT = 0.9;
-/** The places within a large and a slender triangle that stand for a corner: shares of the way from the middle to it. */
-const PLACES = { large: [0.55, 0.2], slender: [0.4] };
-/** Slender triangles are measured until their samples are as many as those of vertices, or this many. */
-const MOST_SLENDER = 1 << 15;
+/** The places within a large and a long triangle that stand for a corner: shares of the way from the middle to it. */
+const PLACES = { large: [0.55, 0.2], long: [0.4] };
+/** Long triangles are measured until their samples are as many as those of vertices, or this many. */
+const MOST_LONG = 1 << 15;
 
 /** Samples within triangles. */
 interface SamplesWithin {
   /** x, y, z of each. */
   within: number[];
-  /** For each the sample of the vertex that it stands for, or the number of vertices plus that of a stand-in. */
+  /** For each the number of its stand-in, after those of vertices. */
   standsFor: number[];
   /** For each stand-in the sample of its vertex. */
   standIns: number[];
+  /** For each stand-in whether it is of a large triangle. */
+  areLarge: boolean[];
 }
 
 /**
- * Chooses samples within triangles. Those of large flat triangles stand for their corners: measured at corners alone, a floor would be dark
- * all over if they lie under posts. Those of slender triangles are stand-ins for corners that are buried: a rod whose ends lie in other bodies
- * would be black.
+ * Chooses samples within triangles, as stand-ins for their corners. Those of large flat triangles count beside the corners: measured at these
+ * alone, a floor would be dark all over if they lie in shade. Those of long triangles, flat or slender, count where a corner is buried: a rod or a
+ * wall whose ends lie in other bodies would be black.
  *
  * @param meshes those with normals
  * @param scene with the samples of vertices
@@ -41,21 +43,23 @@ export function* samplesWithin(
     sampleOf,
     backAfter,
     views,
-  }: Omit<OcclusionScene, 'standsFor' | 'standIns' | 'sums'>,
+  }: Omit<OcclusionScene, 'standsFor' | 'standIns' | 'areLarge' | 'sums'>,
 ): Generator<number, SamplesWithin, void> {
   const [{ radius }] = views;
   const vertices = positions.length / 3;
-  const found: SamplesWithin = { within: [], standsFor: [], standIns: [] };
+  const found: SamplesWithin = { within: [], standsFor: [], standIns: [], areLarge: [] };
   const ofVertices = new Map<number, number>();
-  const standInOf = (vertex: number): number => {
+  const standInOf = (vertex: number, isLarge: boolean): number => {
     let standIn = ofVertices.get(vertex);
     if (standIn === undefined) {
-      standIn = vertices + found.standIns.push(vertex) - 1;
+      standIn = found.standIns.push(vertex) - 1;
       ofVertices.set(vertex, standIn);
+      found.areLarge.push(false);
     }
-    return standIn;
+    found.areLarge[standIn] ||= isLarge;
+    return vertices + standIn;
   };
-  let left = Math.max(vertices, MOST_SLENDER);
+  let left = Math.max(vertices, MOST_LONG);
   for (const [i, mesh] of meshes.entries()) {
     const indices = mesh.indices.map((vertex) => sampleOf[i][vertex]);
     const areaNormals = yield* asPhase(computeAreaNormals({ positions, indices }), 1, 1);
@@ -63,15 +67,15 @@ export function* samplesWithin(
     for (let first = 0; first < indices.length; first += 3) {
       const area = doubleArea(areaNormals, first / 3);
       const isLarge = area > LARGE * radius ** 2;
-      const least = Math.max(SLENDER * area, (LONG * radius) ** 2);
-      if (!isLarge && !(left > 0 && area > 0 && squaredLength(positions, indices, first) > least)) continue;
+      const length = squaredLength(positions, indices, first);
+      if (!isLarge && !(left > 0 && area > 0 && length > (LONG * radius) ** 2)) continue;
+      const least = length > SLENDER * area && !isLarge ? STRAIGHT : FLAT;
       const sum = (term: (k: number) => number) => term(0) + term(1) + term(2);
       const corners = indices.subarray(first, first + 3);
       const isAlong = (corner: number) =>
-        Math.abs(sum((k) => sampleNormals[3 * corner + k] * areaNormals[first + k])) >
-        (isLarge ? FLAT : STRAIGHT) * area;
+        Math.abs(sum((k) => sampleNormals[3 * corner + k] * areaNormals[first + k])) > least * area;
       if (!corners.every(isAlong)) continue;
-      const places = isLarge ? PLACES.large : PLACES.slender;
+      const places = isLarge ? PLACES.large : PLACES.long;
       for (const side of sides) {
         for (const corner of corners) {
           for (const share of places) {
@@ -79,7 +83,7 @@ export function* samplesWithin(
               const at = (sample: number) => positions[3 * (sample + side) + axis];
               found.within.push(share * at(corner) + ((1 - share) / 3) * sum((k) => at(corners[k])));
             }
-            found.standsFor.push(isLarge ? corner + side : standInOf(corner + side));
+            found.standsFor.push(standInOf(corner + side, isLarge));
           }
         }
       }

@@ -31,14 +31,14 @@ export const occlusion: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/occlusion/occlusion.test.ts',
-      title: 'that is drawn from both sides is lit on each',
+      title: 'under a roof is dark, although its corners reach beyond',
     },
   },
   {
     name: 'rods with buried ends are black',
     file: 'src/mesh/occlusion/addDirections.ts',
-    find: 'BURIED = 0.9',
-    replace: 'BURIED = 9',
+    find: 'Math.max(0, (own - BURIED) / (1 - BURIED))',
+    replace: '0',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/mesh/occlusion/occlusion.test.ts',
