@@ -150,10 +150,16 @@ export interface Samples {
 }
 
 /** What the places of a scene have in common. */
-interface Whole {
+interface Whole extends Openness {
   /** The area of all of them. */
   readonly area: number;
-  /** The occlusion that counts as open. */
+}
+
+/** The occlusions that count as open. */
+interface Openness {
+  /** In the light that exposure is fitted to: that of the floor of a room; 0 elsewhere. */
+  readonly ofRoom: number;
+  /** In the drawing. */
   readonly openOcclusion: number;
 }
 
@@ -199,13 +205,14 @@ export class ExposureFit {
     const { arriving, wanted, lightness, fromAbove, fromAround, colors, contents } = this;
     for (const values of [arriving, wanted, lightness, fromAbove, fromAround, colors]) values.clear();
     const all = placesOf(contents);
-    const openOcclusion = openOcclusionOf(all, { fromAbove, fromAround });
+    const openness = opennessOf(all, { fromAbove, fromAround });
     const places = formedAmong(all);
     const lights = new LightsAround(contents);
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
-    for (const place of places) addPlace({ arriving, lightness, colors }, place, lights, { area, openOcclusion });
+    for (const place of places) addPlace({ arriving, lightness, colors }, place, lights, { area, ...openness });
     for (const [material, share] of responsesOf(places)) addSphere(wanted, material, share);
-    const plan = colors.isUnchanged ? this.fit.plan : this.planned(places, { area, openOcclusion });
+    const plan = colors.isUnchanged ? this.fit.plan : this.planned(places, { area, ...openness });
+    const { openOcclusion } = openness;
     return Object.assign(this.fit, fitTones(arriving, wanted, lightness), { openOcclusion, plan });
   }
 
@@ -293,20 +300,21 @@ const ROOM = { share: 0.4, from: 0.3, to: 0.45 };
 const FLOOR = { from: 0.03, to: 0.05 };
 
 /**
- * The share of all that is seen from anywhere that may be solid dark, the occlusion that its lightest place has once it is lightened, and the
- * occlusions from which on that place may be and is too dark.
+ * The share of all that is seen from anywhere that may lie in deep hollows, and the occlusions from which on that share is and all of it is deep.
+ * Views show hollows from where they are open, so that a picture may have thrice that share. If there is more, all but the share `left` have no more
+ * than `occlusion` once they are lightened.
  */
-const SOLID = { share: 0.15, occlusion: 0.2, from: 0.62, to: 0.7 };
+const HOLLOWS = { share: 0.1, from: 0.62, to: 0.75, left: 0.03, occlusion: 0.3 };
 
 /**
  * The occlusion that counts as open: 0, unless nearly all that is seen from above is a floor with walls around it, or so much lies in deep
- * hollows that it would be one black, as in a doll's house, shelves or a lattice. What is not level counts as open to a floor, since rooms
+ * hollows that it would be one black, as in a doll's house, cupboards or a lattice. What is not level counts as open to a floor, since rooms
  * have floors.
  */
-function openOcclusionOf(
+function opennessOf(
   places: readonly Place[],
   { fromAbove, fromAround }: Record<'fromAbove' | 'fromAround', WeightedValues>,
-): number {
+): Openness {
   let [level, all] = [0, 0];
   for (const { samples, material, toWorld, weight, area } of places) {
     const { normals, occlusion, count } = samples;
@@ -327,12 +335,14 @@ function openOcclusionOf(
       }
     }
   }
-  if (all === 0) return 0;
+  if (all === 0) return { ofRoom: 0, openOcclusion: 0 };
   const floor = fromAbove.quantile(ROOM.share);
   const ofRoom = floor * smoothstep(ROOM.from, ROOM.to, floor) * smoothstep(FLOOR.from, FLOOR.to, level / all);
-  const deep = relativeOcclusion(fromAround.quantile(1 - SOLID.share), ofRoom);
-  const ofHollows = ((deep - SOLID.occlusion) / (1 - SOLID.occlusion)) * smoothstep(SOLID.from, SOLID.to, deep);
-  return ofRoom + (1 - ofRoom) * ofHollows;
+  const deep = relativeOcclusion(fromAround.quantile(1 - HOLLOWS.share), ofRoom);
+  const deepest = relativeOcclusion(fromAround.quantile(1 - HOLLOWS.left), ofRoom);
+  const { from, to, occlusion } = HOLLOWS;
+  const ofHollows = ((deepest - occlusion) / (1 - occlusion)) * smoothstep(from, to, deep);
+  return { ofRoom, openOcclusion: ofRoom + (1 - ofRoom) * ofHollows };
 }
 
 /** What is known of the surfaces of a scene, by their area. */
@@ -356,8 +366,10 @@ export interface Sample {
   area: number;
   /** The number of sides that are drawn. */
   sides: number;
-  /** The occlusion of the side that is more open. */
+  /** The occlusion of the side that is more open, relative to what counts as open in the drawing. */
   occluded: number;
+  /** The same relative to what counts as open in the light that exposure is fitted to. */
+  occludedInRoom: number;
 }
 
 const sample: Sample = /* @__PURE__ */ {
@@ -365,7 +377,7 @@ const sample: Sample = /* @__PURE__ */ {
   position: /* @__PURE__ */ new Vector3(),
   normal: /* @__PURE__ */ new Vector3(),
   color: /* @__PURE__ */ new Float64Array(3),
-  ...{ area: 0, sides: 1, occluded: 0 },
+  ...{ area: 0, sides: 1, occluded: 0, occludedInRoom: 0 },
 };
 
 /** How much of what a side of a sample shows is seen: what lies in a hollow or faces the ground hardly is. @param y the height of its normal */
@@ -373,7 +385,11 @@ const seenOf = ({ area, sides, occluded }: Sample, y: number): number =>
   (area * (1 - occluded) * (FROM_BELOW + (0.5 + 0.5 * y) ** 2)) / sides;
 
 /** Calls back with each sample of a place that is drawn and whose exposure is fitted, with the material of its group. */
-function visitSamples(place: Place, { area: all, openOcclusion }: Whole, visit: (sample: Sample) => void): void {
+function visitSamples(
+  place: Place,
+  { area: all, ofRoom, openOcclusion }: Whole,
+  visit: (sample: Sample) => void,
+): void {
   const { samples, material: first, materials, toWorld, weight } = place;
   const { positions, normals, occlusion, groups } = samples;
   const { position, normal, color } = sample;
@@ -401,22 +417,26 @@ function visitSamples(place: Place, { area: all, openOcclusion }: Whole, visit: 
     sample.sides = material.side === DoubleSide ? 2 : 1;
     const least = sample.sides === 2 ? Math.min(front, back) : material.side === BackSide ? back : front;
     sample.occluded = relativeOcclusion(least, openOcclusion);
+    sample.occludedInRoom = relativeOcclusion(least, ofRoom);
     visit(sample);
   }
 }
 
-/** Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. */
+/**
+ * Adds the radiance of a surface, as its material shows it under the lights, and the lightness of its colours. Deep hollows count as dark,
+ * also where the drawing opens them: light does not reach them, and what lies outside is as light as on a body without hollows.
+ */
 function addPlace(seen: Seen, place: Place, lights: LightsAround, whole: Whole): void {
   visitSamples(place, whole, (one) => {
-    const { material, position, normal, color, area, sides, occluded } = one;
+    const { material, position, normal, color, area, sides, occludedInRoom } = one;
     const emitted = emittedBy(material);
     const isHalfLambert = material.toneModel === 'halfLambert';
     const luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
     seen.lightness.add(lightness(Math.min(luminance, 1)), area);
     for (let side = 0; side < sides; side++) {
       seen.colors.add(color, seenOf(one, normal.y));
-      const open = openToLamps(occluded, material.occlusion);
-      const openToSky = 1 - material.occlusion * occluded;
+      const open = openToLamps(occludedInRoom, material.occlusion);
+      const openToSky = 1 - material.occlusion * occludedInRoom;
       lights.arriveAt(position, normal, isHalfLambert, light);
       const around = light.indirect + material.reflectedLight * light.reflected;
       const radiance = open * light.direct + openToSky * around + emitted;

@@ -15,12 +15,12 @@ export const exposure: readonly Mutation[] = [
   {
     name: 'all hollows may be solid dark',
     file: 'src/material/exposure/ExposureFit.ts',
-    find: 'return ofRoom + (1 - ofRoom) * ofHollows',
-    replace: 'return ofRoom',
+    find: 'openOcclusion: ofRoom + (1 - ofRoom) * ofHollows',
+    replace: 'openOcclusion: ofRoom',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/material/exposure/openOcclusion.test.ts',
-      title: 'no more than a seventh of it stays darker than a faint hollow',
+      title: 'hardly any of it stays darker than a shallow hollow',
     },
   },
   {
