@@ -27,6 +27,7 @@ export type {
 export { HATCHING_FACTS } from './look/hatchingFacts.js';
 export { HATCHING_DEFAULTS, HATCHING_PROPERTIES } from './look/hatchingProperties.js';
 export { counts, measureOf, pixelPower, scaledSizes } from './look/measuredFacts.js';
+export { type Metal, mirroredShare } from './look/mirrors.js';
 export { defaultOf } from './look/presetParameters.js';
 export {
   drawsLines,

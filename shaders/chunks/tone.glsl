@@ -25,10 +25,7 @@ PerToneNormal exposed(const in PerToneNormal radiance) {
   return exposure.x * radiance + exposure.y;
 }
 
-// A dark colour brings the tone towards that of no light, as if printed over it with dark ink.
-PerToneNormal darkenedByColor(const in PerToneNormal tone, const in HatchingSurface surface) {
-  return mix(tone, PerToneNormal(toneEnds.y), surface.darkness);
-}
+#include "darkenedByColor"
 
 // Hollows go beyond the tone of no light, which leaves some paper: to full ink, or with light ink to bare paper.
 PerToneNormal deepened(const in PerToneNormal tone) {

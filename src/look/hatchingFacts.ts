@@ -29,6 +29,8 @@ export const HATCHING_FACTS: Readonly<Partial<Record<HatchingPropertyName, Hatch
   toneSteps: { measure: 'count', when: { toneModel: ['toon'] } },
   shininess: { measure: 'exponent', when: { toneModel: ['phong'] } },
   reflectedLight: { measure: 'share' },
+  metalness: { measure: 'share' },
+  roughness: { measure: 'share', when: { metalness: { not: 0 } } },
   occlusion: { measure: 'share' },
   hollowStrength: { measure: 'share', when: { occlusion: { not: 0 } } },
   colorHatching: { measure: 'share' },

@@ -282,6 +282,8 @@ export const HATCHING_PROPERTIES = {
     defaultFor: { strokes: 0.35, lines: 0.4 },
     range: { from: 0, to: 1 },
   },
+  metalness: { kind: 'number', default: 0, uniform: 'metalness', range: { from: 0, to: 1 } },
+  roughness: { kind: 'number', default: 1, uniform: 'roughness', range: { from: 0, to: 1 } },
   occlusion: { kind: 'number', default: 1, uniform: 'occlusion', range: { from: 0, to: 1 } },
   hollowStrength: {
     kind: 'number',

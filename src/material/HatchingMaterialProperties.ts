@@ -174,6 +174,17 @@ export interface HatchingMaterialOptions {
    */
   reflectedLight: number;
   /**
+   * How metallic the surface is, as in three's own materials. Smooth metal is drawn as draughtsmen draw chrome, by the
+   * room it mirrors: light above, dark below a horizon with a hard edge, and a floor that is light again. What does not
+   * mirror is shaded as any surface. Above 0 on smooth metal it compiles another program. Share in [0, 1]. Default `0`.
+   */
+  metalness: number;
+  /**
+   * How rough metal is, as in three's own materials: up to 0.4 it mirrors, from there on less, and from 0.7 on nothing.
+   * Share in [0, 1]. Default `1`. Only with `metalness` other than `0`.
+   */
+  roughness: number;
+  /**
    * Strength of the ambient occlusion that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
    * light. Without such a bake it does nothing. Share in [0, 1]. Default `1`.
    */
@@ -437,6 +448,17 @@ export interface HatchingMaterialProperties extends ShaderMaterial {
    * `'pen'`, `'woodcut'` `0.4`.
    */
   reflectedLight: number;
+  /**
+   * How metallic the surface is, as in three's own materials. Smooth metal is drawn as draughtsmen draw chrome, by the
+   * room it mirrors: light above, dark below a horizon with a hard edge, and a floor that is light again. What does not
+   * mirror is shaded as any surface. Above 0 on smooth metal it compiles another program. Share in [0, 1]. Default `0`.
+   */
+  metalness: number;
+  /**
+   * How rough metal is, as in three's own materials: up to 0.4 it mirrors, from there on less, and from 0.7 on nothing.
+   * Share in [0, 1]. Default `1`. Only with `metalness` other than `0`.
+   */
+  roughness: number;
   /**
    * Strength of the ambient occlusion that `bakeOcclusion` has baked: cavities, folds and contacts are darker under any
    * light. Without such a bake it does nothing. Share in [0, 1]. Default `1`.

@@ -1,6 +1,7 @@
 import type { Texture } from 'three';
 import type { HatchingProperty } from '../look/HatchingProperty.js';
 import { HATCHING_PROPERTIES, type HatchingPropertyName, type PropertyNameOf } from '../look/hatchingProperties.js';
+import { isMirror } from '../look/mirrors.js';
 import { familyOf } from '../look/presetParameters.js';
 import { drawnValue, type HatchingLook, hasOwner, needsAdjacency } from '../look/queries.js';
 import { VERTEX_LAYOUTS, type VertexLayout } from './deformation/canDeform.js';
@@ -87,7 +88,7 @@ export function writeDefines(
 
 /**
  * The properties that three.js reads for a program only after `needsUpdate` is set, packed into one number: the textures and their
- * channels, whether strokes are sized on the screen, sides, vertex colours and the like. If the number changes, the program must be
+ * channels, whether strokes are sized on the screen and metal mirrors, sides, vertex colours and the like. If the number changes, the program must be
  * rebuilt. Allocates nothing.
  */
 export function programSwitches(material: HatchingMaterialProperties & { normalMapType: number }): number {
@@ -98,7 +99,7 @@ export function programSwitches(material: HatchingMaterialProperties & { normalM
   }
   switches = 32 * switches + 8 * material.side + material.blending;
   for (let i = 0; i < FLAGS.length; i++) switches = 2 * switches + Number(material[FLAGS[i]]);
-  return 2 * switches + Number(material.screenSpaceShare > 0);
+  return 4 * switches + 2 * Number(isMirror(material)) + Number(material.screenSpaceShare > 0);
 }
 
 /** Properties of three's `Material` that decide the program. */

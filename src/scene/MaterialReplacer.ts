@@ -1,11 +1,11 @@
-import { Material, type Mesh } from 'three';
+import { type Color, Material, type Mesh } from 'three';
 import { GLASS } from '../look/glass.js';
 import type { HatchingMaterialParameters } from '../material/checkValues.js';
 import { deforms } from '../material/deformation/canDeform.js';
 import type { HatchingComposition } from '../material/groups/HatchingComposition.js';
 import type { HatchingMaterial } from '../material/HatchingMaterial.js';
 import { isReplaced } from './leftAlone.js';
-import { acceptable, Replacement, surfaceProperties } from './Replacement.js';
+import { acceptable, COPIED, Replacement, surfaceProperties } from './Replacement.js';
 import type { SurfaceMaterial } from './SurfaceMaterial.js';
 
 /** The number of digits in which equal scales agree; further ones may differ by rounding. */
@@ -103,10 +103,8 @@ function hatchingMaterialFrom(
   // The planes are shared, so that moving them keeps clipping both materials.
   material.clippingPlanes = source.clippingPlanes;
   const surface: SurfaceMaterial = source;
-  const { color, emissive, normalScale, fog, wireframe, wireframeLinewidth } = surface;
-  if (color) material.color.copy(color);
-  if (emissive) material.emissive.copy(emissive);
-  if (normalScale) material.normalScale.copy(normalScale);
+  const { fog, wireframe, wireframeLinewidth } = surface;
+  for (const name of COPIED) if (surface[name]) (material[name] as Color).copy(surface[name] as Color);
   for (const name of surfaceProperties) {
     if (surface[name] !== undefined) Object.assign(material, { [name]: acceptable(name, surface) });
   }

@@ -21,6 +21,8 @@ export const surfaceProperties = [
   'lightMapIntensity',
   'emissiveIntensity',
   'emissiveMap',
+  'metalness',
+  'roughness',
 ] as const satisfies (keyof SurfaceMaterial)[];
 
 const warned = new Set<string>();
@@ -30,7 +32,8 @@ const warned = new Set<string>();
  * `emissiveIntensity` of −1: they are clamped, and NaN becomes the default. One warning reports it.
  */
 export function acceptable(name: keyof SurfaceMaterial, source: SurfaceMaterial): unknown {
-  const value = source[name];
+  // Where only a map says what is metal, nothing mirrors.
+  const value = name === 'metalness' && (source.metalnessMap || source.roughnessMap) ? 0 : source[name];
   const property = Object.hasOwn(HATCHING_PROPERTIES, name)
     ? (HATCHING_PROPERTIES[name as HatchingPropertyName] as HatchingProperty)
     : null;
@@ -49,36 +52,15 @@ export function acceptable(name: keyof SurfaceMaterial, source: SurfaceMaterial)
   return taken;
 }
 
-/** The properties that are copied from every material, beside those of surfaces. */
-const MATERIAL_PROPERTIES = [
-  'visible',
-  'opacity',
-  'transparent',
-  'side',
-  'alphaTest',
-  'alphaHash',
-  'blending',
-  'colorWrite',
-  'depthTest',
-  'depthFunc',
-  'depthWrite',
-  'polygonOffset',
-  'polygonOffsetFactor',
-  'polygonOffsetUnits',
-  'clippingPlanes',
-  'clipIntersection',
-  'alphaToCoverage',
-  'stencilWrite',
-  'stencilFunc',
-  'stencilRef',
-  'stencilFuncMask',
-  'vertexColors',
-  'fog',
-  'wireframe',
-] as const satisfies (keyof SurfaceMaterial)[];
+/** The properties whose values are copied. */
+export const COPIED = ['color', 'emissive', 'normalScale'] as const;
 
-const NAMES = [...MATERIAL_PROPERTIES, ...surfaceProperties] as const;
-const COPIED = ['color', 'emissive', 'normalScale'] as const;
+type CopiedName = (typeof COPIED)[number];
+type SharedName = Exclude<keyof SeenValues, 'note' | 'differFrom' | CopiedName>;
+
+/** The properties that are copied from every material and whose values are shared. */
+const sharedNames = (seen: SeenValues): SharedName[] =>
+  (Object.keys(seen) as SharedName[]).filter((name) => !COPIED.includes(name as never));
 
 /** The properties of hatching materials that a user may change. */
 function editableNames(): string[] {
@@ -87,7 +69,7 @@ function editableNames(): string[] {
   return [
     ...new Set([
       ...names,
-      ...NAMES,
+      ...sharedNames(new SeenValues(new Material())),
       'wireframeLinewidth',
       'composition',
       // The technique decides the defaults of others, which must be set after it.
@@ -107,8 +89,8 @@ let names: string[] | undefined;
  * was passed to the hatching material, or set on it since, stays.
  */
 export class Replacement {
-  private readonly followed: readonly (typeof NAMES)[number][];
-  private readonly followedCopies: readonly (typeof COPIED)[number][];
+  private readonly followed: readonly SharedName[];
+  private readonly followedCopies: readonly CopiedName[];
   private readonly given: GivenValues;
   private readonly last: SeenValues;
   private isFollowing = false;
@@ -127,9 +109,9 @@ export class Replacement {
     readonly scale: number | null,
   ) {
     const surface: SurfaceMaterial = source;
-    this.followed = NAMES.filter((name) => surface[name] !== undefined && !passed.includes(name));
-    this.followedCopies = COPIED.filter((name) => surface[name] && !passed.includes(name));
     this.last = new SeenValues(source);
+    this.followed = sharedNames(this.last).filter((name) => surface[name] !== undefined && !passed.includes(name));
+    this.followedCopies = COPIED.filter((name) => surface[name] && !passed.includes(name));
     names ??= editableNames();
     this.given = new GivenValues(material, names);
   }

@@ -6,43 +6,45 @@ import type { SurfaceMaterial } from './SurfaceMaterial.js';
  * a line of its own: engines compile that to code that takes a fraction of a microsecond, and a loop over names to ten times as much.
  */
 export class SeenValues {
-  visible: unknown;
-  opacity: unknown;
-  transparent: unknown;
-  side: unknown;
-  alphaTest: unknown;
-  alphaHash: unknown;
-  blending: unknown;
-  colorWrite: unknown;
-  depthTest: unknown;
-  depthFunc: unknown;
-  depthWrite: unknown;
-  polygonOffset: unknown;
-  polygonOffsetFactor: unknown;
-  polygonOffsetUnits: unknown;
-  clippingPlanes: unknown;
-  clipIntersection: unknown;
-  alphaToCoverage: unknown;
-  stencilWrite: unknown;
-  stencilFunc: unknown;
-  stencilRef: unknown;
-  stencilFuncMask: unknown;
-  vertexColors: unknown;
-  fog: unknown;
-  wireframe: unknown;
-  map: unknown;
-  alphaMap: unknown;
-  normalMap: unknown;
-  normalMapType: unknown;
-  bumpMap: unknown;
-  bumpScale: unknown;
-  flatShading: unknown;
-  aoMap: unknown;
-  aoMapIntensity: unknown;
-  lightMap: unknown;
-  lightMapIntensity: unknown;
-  emissiveIntensity: unknown;
-  emissiveMap: unknown;
+  declare visible: unknown;
+  declare opacity: unknown;
+  declare transparent: unknown;
+  declare side: unknown;
+  declare alphaTest: unknown;
+  declare alphaHash: unknown;
+  declare blending: unknown;
+  declare colorWrite: unknown;
+  declare depthTest: unknown;
+  declare depthFunc: unknown;
+  declare depthWrite: unknown;
+  declare polygonOffset: unknown;
+  declare polygonOffsetFactor: unknown;
+  declare polygonOffsetUnits: unknown;
+  declare clippingPlanes: unknown;
+  declare clipIntersection: unknown;
+  declare alphaToCoverage: unknown;
+  declare stencilWrite: unknown;
+  declare stencilFunc: unknown;
+  declare stencilRef: unknown;
+  declare stencilFuncMask: unknown;
+  declare vertexColors: unknown;
+  declare fog: unknown;
+  declare wireframe: unknown;
+  declare map: unknown;
+  declare alphaMap: unknown;
+  declare normalMap: unknown;
+  declare normalMapType: unknown;
+  declare bumpMap: unknown;
+  declare bumpScale: unknown;
+  declare flatShading: unknown;
+  declare aoMap: unknown;
+  declare aoMapIntensity: unknown;
+  declare lightMap: unknown;
+  declare lightMapIntensity: unknown;
+  declare emissiveIntensity: unknown;
+  declare emissiveMap: unknown;
+  declare metalness: unknown;
+  declare roughness: unknown;
   readonly color = new Color();
   readonly emissive = new Color();
   readonly normalScale = new Vector2();
@@ -89,6 +91,8 @@ export class SeenValues {
     this.lightMapIntensity = source.lightMapIntensity;
     this.emissiveIntensity = source.emissiveIntensity;
     this.emissiveMap = source.emissiveMap;
+    this.metalness = source.metalness;
+    this.roughness = source.roughness;
     const { color, emissive, normalScale } = source;
     if (color) this.color.copy(color);
     if (emissive) this.emissive.copy(emissive);
@@ -136,6 +140,8 @@ export class SeenValues {
       this.lightMapIntensity !== source.lightMapIntensity ||
       this.emissiveIntensity !== source.emissiveIntensity ||
       this.emissiveMap !== source.emissiveMap ||
+      this.metalness !== source.metalness ||
+      this.roughness !== source.roughness ||
       (color !== undefined && !this.color.equals(color)) ||
       (emissive !== undefined && !this.emissive.equals(emissive)) ||
       (normalScale !== undefined && !this.normalScale.equals(normalScale))

@@ -19,6 +19,10 @@ export interface SurfaceMaterial extends Material {
   emissive?: Color;
   emissiveIntensity?: number;
   emissiveMap?: Texture | null;
+  metalness?: number;
+  metalnessMap?: Texture | null;
+  roughness?: number;
+  roughnessMap?: Texture | null;
   fog?: boolean;
   wireframe?: boolean;
   wireframeLinewidth?: number;

@@ -8,6 +8,7 @@ import { fadedPlace, type Projection } from './Projection.js';
 import { type LampShadow, LIT, type ReceivedShadow, ShadowRays } from './ShadowRays.js';
 import { fadingAt, type ObjectFading } from './shading/fading.js';
 import { type GroundLook, groundTone } from './shading/groundShadow.js';
+import { mirroredRoom } from './shading/metal.js';
 import { arriving, type Lamp, reflectedTo, responseTo, type ToneModel } from './shading/radiance.js';
 import { openToLights, openToSky, shadedTone, type ToneLook } from './shading/tone.js';
 
@@ -19,6 +20,8 @@ export interface SurfaceLook extends ToneLook {
   reflectedLight: number;
   /** Emitted luminance. */
   emitted: number;
+  /** Share of the tone that a mirrored room decides, on metal. */
+  mirrored: number;
   receivesShadows: boolean;
   /** The look of a ground that shows shadows alone; null for bodies. */
   ground: GroundLook | null;
@@ -140,7 +143,9 @@ export class ToneReader {
       const tone = weight * groundTone(open * direct + rest, open * shadowed, left, look, look.ground);
       return { tone, unshadowed: 0, shadows, left, full: look.toneEnds[1] * look.ground.tone * left, turned };
     }
-    const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, painted);
+    const share = look.mirrored;
+    const mirror = share > 0 ? { room: mirroredRoom(toneNormal, toViewer), share } : undefined;
+    const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, painted, mirror);
     const tone = toneOf(open * direct + rest);
     const unshadowed = shadowed > 0 ? toneOf(open * (direct + shadowed) + rest) : tone;
     return { tone, unshadowed, shadows, left: 1, full: 0, turned };

@@ -29,6 +29,7 @@ import {
   type PropertyNameOf,
   type ToneModel,
 } from '../look/hatchingProperties.js';
+import { isMirror } from '../look/mirrors.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { defaultOf, spelledOut } from '../look/presetParameters.js';
 import { formOf, needsAdjacency, needsMap, resolveLook, runsAway, usesThresholds } from '../look/queries.js';
@@ -130,6 +131,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
   private curve: ToneCurve | undefined;
   /** The frame in which the uniforms were last written. */
   private readonly written = new FrameStamp();
+  /** Whether the nodes were built for metal that mirrors the room. */
+  private isBuiltAsMirror = false;
   /** Rebuilds the nodes. */
   private readonly renew = (): void => {
     this.needsUpdate = true;
@@ -259,6 +262,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     return [
       ...choicesOf(this),
       Number(this.screenSpaceShare > 0),
+      Number(isMirror(this)),
       this.strokeAnchor,
       this.drawnToneModel,
       toneNormal,
@@ -291,6 +295,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const u = this.uniforms;
     const pixelRatio = renderer.getPixelRatio();
     writePropertyUniforms(look, u);
+    if (isMirror(look) !== this.isBuiltAsMirror) this.renew();
     const chosen = this.mapInUse();
     const map = fittingMap(chosen, true, maxTextureSize(renderer as unknown as WebGPURenderer));
     writeSizeUniforms(look, chosen, pixelRatio, u);
@@ -310,6 +315,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   /** Builds nodes for the current choices. @internal */
   override setup(builder: NodeBuilder): void {
     writeCurveUniforms(this.toneCurve, this.uniforms);
+    this.isBuiltAsMirror = isMirror(this);
     super.setup(builder);
   }
 
@@ -405,7 +411,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const emitted = materialEmissive;
     const radiance = lit.radiance.add(lightLuminance(emitted)).toVar();
     const surface = { ...lit, radiance, darkness: localDarkness(tonedSurface(builder), emitted) };
-    const rules = { toneModel, curve: curveOf(this.toneCurve) };
+    const rules = { toneModel, curve: curveOf(this.toneCurve), isMirror: isMirror(look) };
     const fading = fadingAt(positionView, pixelFromBelow()).toVar();
     const tone = shadedTone(surface, rules).mul(fading).toVar();
     // Dots cannot cross one another: two sets of them would clump.

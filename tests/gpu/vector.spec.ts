@@ -53,6 +53,26 @@ test('a ball of half opacity before a torus is drawn as on the canvas', { tag: '
   expect(ink).toBeLessThan(1.015);
 });
 
+test('a torus of smooth metal is drawn as on the canvas', async ({ page }) => {
+  const { mean, p99, ink, change } = await page.evaluate(async () => {
+    const { THREE, compareScene, comparedScene, drawSVG, loadModel } = window.vectors;
+    const { scene, camera } = await comparedScene(await loadModel('torus'), {});
+    const torus = scene.children.find((child) => 'isMesh' in child) as InstanceType<typeof THREE.Mesh>;
+    const material = torus.material as Awaited<ReturnType<typeof window.toolkit.hatchedMesh>>['material'];
+    const length = async (): Promise<number> =>
+      (await drawSVG(scene, camera, { sheet: [100, 100], margin: 5 })).svg.length;
+    const before = await length();
+    material.setValues({ metalness: 1, roughness: 0.2 });
+    await material.ready;
+    return { ...(await compareScene(scene, camera)), change: (await length()) / before };
+  });
+  expect(Math.abs(change - 1)).toBeGreaterThan(0.05);
+  expect(mean).toBeLessThan(0.012);
+  expect(p99).toBeLessThan(0.045);
+  expect(ink).toBeGreaterThan(0.985);
+  expect(ink).toBeLessThan(1.015);
+});
+
 for (const kind of ['print', 'pen'] as const) {
   test(
     `an animated ${kind} draws itself path by path, ends as the still one, and stands still for whoever wants less motion`,

@@ -1,4 +1,5 @@
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
+import { isMirror } from '../../look/mirrors.js';
 import { familyOf } from '../../look/presetParameters.js';
 import type { PaintedLook } from './laterPlans.js';
 import type { MaterialPart } from './MaterialPart.js';
@@ -16,33 +17,40 @@ const FETCH = {
   perTriangle: (): Imports => [import('./perTriangle.js')],
 };
 
-export type PartName = keyof typeof FETCH;
+type TechniquePart = keyof typeof FETCH;
+
+/** The name of a part: that of a technique, for any surface or for metal that mirrors. */
+export type PartName = TechniquePart | `${TechniquePart} of metal`;
 
 const fetched = /* @__PURE__ */ new Map<PartName, MaterialPart>();
 const fetching = /* @__PURE__ */ new Map<PartName, Promise<MaterialPart>>();
 
 /** The part that a technique needs, with or without a hand. */
-export function partNameOf(technique: HatchingTechnique, hand: unknown = null): PartName {
+function techniquePart({ technique, hand = null }: LookOfParts): TechniquePart {
   if (technique === 'pen' && hand !== null) return 'handStrokes';
-  return technique === 'dryMedia' || technique === 'stipple' || technique === 'woodcut'
-    ? technique
-    : familyOf(technique);
+  return (technique in FETCH ? technique : familyOf(technique)) as TechniquePart;
 }
+
+/** The part that a look needs. */
+export const partNameOf = (look: LookOfParts): PartName =>
+  isMirror(look) ? `${techniquePart(look)} of metal` : techniquePart(look);
 
 /** The properties that decide which part a material needs. */
 export interface LookOfParts {
   readonly technique: HatchingTechnique;
   readonly hand?: unknown;
+  readonly metalness?: unknown;
+  readonly roughness?: unknown;
 }
 
 /** Whether a look draws the strokes of a hand in rows. */
-export const drawsHand = ({ technique, hand }: LookOfParts): boolean => partNameOf(technique, hand) === 'handStrokes';
+export const drawsHand = (look: LookOfParts): boolean => techniquePart(look) === 'handStrokes';
 
 /** A part that has loaded; undefined if it has not. */
 export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched.get(name);
 
 /** Whether the part of a look has loaded. */
-export const isFetched = ({ technique, hand }: LookOfParts): boolean => fetched.has(partNameOf(technique, hand));
+export const isFetched = (look: LookOfParts): boolean => fetched.has(partNameOf(look));
 
 /** Several parts as one. */
 const joined = (parts: readonly MaterialPart[]): MaterialPart =>
@@ -56,7 +64,9 @@ const joined = (parts: readonly MaterialPart[]): MaterialPart =>
 export function fetchPart(name: PartName): Promise<MaterialPart> {
   let promise = fetching.get(name);
   if (!promise) {
-    promise = Promise.all(FETCH[name]()).then(
+    const [technique, metal] = name.split(' of ') as [TechniquePart, string?];
+    const imports = FETCH[technique]();
+    promise = Promise.all(metal ? [...imports, import('./metal.js')] : imports).then(
       (imported) => {
         const part = joined(imported.map((one) => one.part));
         fetched.set(name, part);
@@ -82,13 +92,14 @@ const failure = (name: PartName, cause: unknown): Error =>
 
 /** Fetches the part that a look needs, and what its colours need. */
 export async function fetchPartsOf(look: LookOfParts & PaintedLook): Promise<void> {
-  const { surface } = await fetchPart(partNameOf(look.technique, look.hand));
+  const { surface } = await fetchPart(partNameOf(look));
   await surface.fetchPlansOf(look);
 }
 
 /** Fetches all parts. */
 export async function fetchParts(): Promise<void> {
-  const [{ surface }] = await Promise.all((Object.keys(FETCH) as PartName[]).map(fetchPart));
+  const names = (Object.keys(FETCH) as TechniquePart[]).flatMap((name) => [name, `${name} of metal`] as const);
+  const [{ surface }] = await Promise.all(names.map(fetchPart));
   await surface.fetchPlans();
 }
 
@@ -106,8 +117,8 @@ export class PartInUse {
    *
    * @returns the part, if it has loaded; if not, the previous part stays in use
    */
-  take({ technique, hand }: LookOfParts): MaterialPart | undefined {
-    const name = partNameOf(technique, hand);
+  take(look: LookOfParts): MaterialPart | undefined {
+    const name = partNameOf(look);
     const part = fetchedPart(name);
     if (part) {
       this.part = part;

@@ -21,7 +21,7 @@ const files: ShaderFiles = import.meta.glob(
   [
     './hatching.*',
     './{chunks,environment,shadowMaps}/*',
-    '!./chunks/{dryMedia,tooth,handStrokes,lineCoverage,meanLight,softShadows,shadowSearch}.glsl',
+    '!./chunks/{dryMedia,tooth,handStrokes,lineCoverage,meanLight,metal,softShadows,shadowSearch}.glsl',
     './perFragment/*',
     '!./perFragment/screenGradient.glsl',
   ],

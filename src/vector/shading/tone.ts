@@ -66,10 +66,22 @@ export const openToSky = (occluded: number, occlusion: number): number => 1 - oc
 export const openToLights = (occluded: number, occlusion: number): number =>
   1 - occlusion * occluded * smoothstep(0, CAVITY, occluded);
 
-/** The printed tone of a radiance at a place, by its occlusion, in [0, 1]. */
-export function shadedTone(radiance: number, occluded: number, look: ToneLook): number {
+/**
+ * The printed tone of a radiance at a place, by its occlusion, in [0, 1].
+ *
+ * @param mirror the light of the room that metal mirrors there, and the share of the tone that it decides
+ */
+export function shadedTone(
+  radiance: number,
+  occluded: number,
+  look: ToneLook,
+  mirror?: { readonly room: number; readonly share: number },
+): number {
   const { exposure, toneEnds, darkness, hollowStrength, occlusion } = look;
-  const tone = mix(toneFromRadiance(exposure[0] * radiance + exposure[1], look), toneEnds[1], darkness);
+  const shaded = toneFromRadiance(exposure[0] * radiance + exposure[1], look);
+  const open = openToSky(occluded, occlusion);
+  const inRoom = mirror ? mix(shaded, toneFromRadiance(open * mirror.room, look), mirror.share) : shaded;
+  const tone = mix(inRoom, toneEnds[1], darkness);
   const hollowness = hollowStrength * occlusion * smoothstep(HOLLOW[0], HOLLOW[1], occluded);
   // Hollows go to full ink, or with light ink to bare paper.
   return mix(tone, toneEnds[1] >= toneEnds[0] ? 1 : 0, hollowness);

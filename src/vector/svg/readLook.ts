@@ -27,6 +27,7 @@ import type { EngravedLook } from '../Engraver.js';
 import type { LineTechnique } from '../lineMarks.js';
 import type { ObjectFading } from '../shading/fading.js';
 import type { GroundLook } from '../shading/groundShadow.js';
+import { shareOfRoom } from '../shading/metal.js';
 import { meanLightAt } from '../shading/radiance.js';
 import { type CurveCubics, localDarkness } from '../shading/tone.js';
 import type { SurfaceLook } from '../ToneReader.js';
@@ -116,6 +117,7 @@ export function surfaceLookOf(
     openOcclusion: isFit ? kept.openOcclusion : 0,
     ground: isOfShadows(material) ? groundOf(material) : null,
     darkness: localDarkness([color.r, color.g, color.b], emitted, colorTonesOf(material, fit)),
+    mirrored: shareOfRoom(material),
     opacity: opacityOf(material, geometry),
     ...{ shininess, reflectedLight, emitted, receivesShadows, fading },
   };

@@ -61,6 +61,7 @@ interface Surface {
   alphaTest: number;
   /** Whether the surface is see-through. */
   isGlass: boolean;
+  metalness: number;
   blending: Blending;
   premultipliedAlpha: boolean;
   /** The stroke scale that gives one tile per world unit. */
@@ -372,9 +373,28 @@ const materialKey = ({ drawn, compared, outlines, showsSurfaceColors }: Look): s
   JSON.stringify([drawn, compared, outlines, showsSurfaceColors]);
 
 function surfaceOf(material: HatchingMaterial): Surface {
-  const { color, map, vertexColors, alphaTest, transparent: isGlass, blending, premultipliedAlpha } = material;
+  const {
+    color,
+    map,
+    vertexColors,
+    alphaTest,
+    transparent: isGlass,
+    metalness,
+    blending,
+    premultipliedAlpha,
+  } = material;
   const scale = material.tilesPerObjectUnit;
-  return { color: color.clone(), map, vertexColors, alphaTest, isGlass, blending, premultipliedAlpha, scale };
+  return {
+    color: color.clone(),
+    map,
+    vertexColors,
+    alphaTest,
+    isGlass,
+    metalness,
+    blending,
+    premultipliedAlpha,
+    scale,
+  };
 }
 
 /** Whether all materials of a mesh are see-through, so that it neither casts nor receives shadows. */
@@ -389,5 +409,6 @@ function showSurface(material: EitherMaterial, surface: Surface, isShown: boolea
   material.map = map;
   material.vertexColors = vertexColors;
   material.alphaTest = map ? surface.alphaTest : 0;
+  material.metalness = isShown ? surface.metalness : 0;
   if (surface.isGlass) Object.assign(material, GLASS);
 }

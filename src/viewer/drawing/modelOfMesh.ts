@@ -212,7 +212,7 @@ function materialsOf(
   paintOf: (picture: number) => HatchingMaterialParameters,
 ): HatchingMaterial[] {
   return ranges.map(
-    ({ picture, paint = '', isOfSmallParts = false, isSeeThrough = false, isOneSided, castsFronts }) => {
+    ({ picture, paint = '', isOfSmallParts = false, isSeeThrough = false, mirrors = 0, isOneSided, castsFronts }) => {
       const glass = isSeeThrough ? { transparent: true, depthWrite: false } : {};
       return new HatchingMaterial({
         name: isOfSmallParts ? `${paint} in small parts` : paint,
@@ -221,6 +221,7 @@ function materialsOf(
         vertexColors: colors !== null,
         side: isOneSided === undefined ? usual : isOneSided ? FrontSide : DoubleSide,
         shadowSide: castsFronts ? FrontSide : null,
+        ...(mirrors > 0 && { metalness: mirrors, roughness: 0 }),
         ...paintOf(picture),
         ...glass,
       });

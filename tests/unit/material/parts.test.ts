@@ -63,7 +63,7 @@ describe('code that is fetched when a material first uses it', () => {
     await HatchingMaterial.preload();
     for (const technique of ['triangle', 'adjacency', 'dryMedia', 'stipple', 'engraving', 'woodcut'] as const) {
       expect(isPlain(new HatchingMaterial({ technique }))).toBe(false);
-      expect(fetchedPart(partNameOf(technique))).toBeDefined();
+      expect(fetchedPart(partNameOf({ technique }))).toBeDefined();
     }
   });
 

@@ -64,7 +64,9 @@ const OWNERS = {
   shadowMaterial: 'HatchingShadowMaterial',
 } as const;
 /** Properties that three's own material always writes. */
-const WRITTEN_BY_THREE = ['color', 'shininess', 'emissive', 'emissiveIntensity', 'flatShading'];
+const WRITTEN_BY_THREE = [
+  ...['color', 'shininess', 'emissive', 'emissiveIntensity', 'flatShading', 'metalness', 'roughness'],
+];
 
 const plain = (value: unknown): unknown =>
   value instanceof Color

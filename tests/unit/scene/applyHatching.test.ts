@@ -113,6 +113,15 @@ describe('the hatched scene', () => {
       expect(await hasOutlines(parameters), Object.keys(parameters).join()).toBe(false);
   });
 
+  test('a material whose maps alone say what is metal is none', async () => {
+    for (const map of ['metalnessMap', 'roughnessMap']) {
+      const source = new MeshStandardMaterial({ metalness: 1, roughness: 0.2, [map]: new Texture() });
+      const mesh = new Mesh(new PlaneGeometry(), source);
+      await applyHatching(mesh, { tonalArtMap });
+      expect(hatched(mesh).metalness, map).toBe(0);
+    }
+  });
+
   test('a material keeps everything that has a meaning on paper', async () => {
     const planes = [new Plane(new Vector3(1, 0, 0), 2)];
     const circular: { self?: object } = {};
@@ -135,6 +144,8 @@ describe('the hatched scene', () => {
       emissive: 'gold',
       emissiveIntensity: 0.8,
       emissiveMap: new Texture(),
+      metalness: 0.9,
+      roughness: 0.2,
       alphaTest: 0.25,
       opacity: 0.5,
       transparent: true,
@@ -176,6 +187,8 @@ describe('the hatched scene', () => {
       'lightMapIntensity',
       'emissiveIntensity',
       'emissiveMap',
+      'metalness',
+      'roughness',
       'alphaTest',
       'opacity',
       'transparent',

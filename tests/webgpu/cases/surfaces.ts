@@ -113,6 +113,7 @@ export const cases: readonly SceneCase[] = [
       return stage;
     },
   },
+  { name: 'smooth metal', show: (kit) => drawn(kit, { metalness: 1, roughness: 0.5, toneCurve: 'linear' }) },
   {
     name: 'reflected light of a lamp and a sky',
     async show(kit) {

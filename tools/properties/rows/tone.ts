@@ -66,6 +66,25 @@ export const TONE = {
     sentence:
       'Share of each light that the surroundings throw back from behind: shade is darkest at the terminator, as engravers draw it. Planes in shade get more of it on one side of the light, so that two walls at one angle to the light differ.',
   },
+  metalness: {
+    kind: 'number',
+    group: 'Tone',
+    default: 0,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    sentence:
+      "How metallic the surface is, as in three's own materials. Smooth metal is drawn as draughtsmen draw chrome, by the room it mirrors: light above, dark below a horizon with a hard edge, and a floor that is light again. What does not mirror is shaded as any surface. Above 0 on smooth metal it compiles another program.",
+  },
+  roughness: {
+    kind: 'number',
+    group: 'Tone',
+    default: 1,
+    measure: 'share',
+    range: { from: 0, to: 1 },
+    when: { metalness: { not: 0 } },
+    sentence:
+      "How rough metal is, as in three's own materials: up to 0.4 it mirrors, from there on less, and from 0.7 on nothing.",
+  },
   occlusion: {
     kind: 'number',
     group: 'Tone',

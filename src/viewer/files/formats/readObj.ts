@@ -164,14 +164,14 @@ function namesIn(line: string): string[] {
   return line.match(/\S.*?\.mtl(?=\s|$)|\S.*/gi) ?? [];
 }
 
-/** Reduces an MTL file to what hatched surfaces show: colours, colour maps, opacity and cut-outs. */
+/** Reduces an MTL file to what hatched surfaces show: colours, gloss, colour maps, opacity and cut-outs. */
 function cleanMtl(text: string): string {
   return (
-    withDissolve(withLineFeeds(text).replace(/^[ \t]*(newmtl|Kd|map_Kd|map_d|d|Tr)[ \t]+/gim, '$1 '))
-      .replace(/^(?!(?:newmtl|Kd|map_Kd|map_d|d) ).+$/gim, '')
+    withDissolve(withLineFeeds(text).replace(/^[ \t]*(newmtl|Kd|Ks|Ns|map_Kd|map_d|d|Tr)[ \t]+/gim, '$1 '))
+      .replace(/^(?!(?:newmtl|Kd|Ks|Ns|map_Kd|map_d|d) ).+$/gim, '')
       // A single number is a grey; a spectrum is not supported.
-      .replace(/^Kd ([-+.\de]+)[ \t]*$/gim, 'Kd $1 $1 $1')
-      .replace(/^Kd (?:spectral|xyz).*$/gim, '')
+      .replace(/^(K[ds]) ([-+.\de]+)[ \t]*$/gim, '$1 $2 $2 $2')
+      .replace(/^K[ds] (?:spectral|xyz).*$/gim, '')
       .replace(/^(map_\w+) (.*)$/gim, (_, word: string, rest: string) => `${word} ${plainMap(rest)}`)
   );
 }

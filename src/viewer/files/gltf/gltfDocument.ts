@@ -164,7 +164,15 @@ const material = orNothing(
     alphaMode: orNothing(oneOf('OPAQUE', 'MASK', 'BLEND')),
     alphaCutoff: orNothing(real),
     doubleSided: orNothing(flag),
-    pbrMetallicRoughness: orNothing(record({ baseColorFactor: orNothing(reals(4)), baseColorTexture: textureUse })),
+    pbrMetallicRoughness: orNothing(
+      record({
+        baseColorFactor: orNothing(reals(4)),
+        baseColorTexture: textureUse,
+        metallicFactor: orNothing(real),
+        roughnessFactor: orNothing(real),
+        metallicRoughnessTexture: textureUse,
+      }),
+    ),
     normalTexture: textureUse,
     occlusionTexture: textureUse,
     emissiveTexture: textureUse,

@@ -34,7 +34,7 @@ function usedImages(document: GltfDocument): Set<number> {
 }
 
 /**
- * Reduces the materials of a document to what a hatching material uses: base colour, normals, occlusion, emission, alpha and sides.
+ * Reduces the materials of a document to what a hatching material uses: base colour, metal, normals, occlusion, emission, alpha and sides.
  * Transmissive materials become see-through.
  *
  * @param hasImage whether an image is available; textures without one are left out
@@ -65,6 +65,7 @@ export function drawnMaterials(document: GltfDocument, hasImage: (image: number)
       pbrMetallicRoughness: {
         ...optional('baseColorFactor', isGlass ? [r, g, b, alpha] : factor),
         ...optional('baseColorTexture', drawn(texture)),
+        ...metalOf(material),
       },
       ...Object.assign({}, ...TEXTURES.map((key) => optional(key, drawn(material?.[key])))),
       ...(strength && { extensions: { KHR_materials_emissive_strength: strength } }),
@@ -80,6 +81,13 @@ function transmittedBy(
   const { transmissionFactor = 0, transmissionTexture } = material?.extensions?.KHR_materials_transmission ?? {};
   if (!(transmissionFactor > 0) || material?.alphaMode === 'MASK') return undefined;
   return { factor: Math.min(transmissionFactor, 1), texture: transmissionTexture };
+}
+
+/** How metallic and rough a material is; where a picture says what is metal, nothing is. */
+function metalOf(material: GltfMaterial | undefined): Partial<Record<'metallicFactor' | 'roughnessFactor', number>> {
+  const { metallicFactor, roughnessFactor, metallicRoughnessTexture } = material?.pbrMetallicRoughness ?? {};
+  if (metallicRoughnessTexture) return { metallicFactor: 0 };
+  return { ...optional('metallicFactor', metallicFactor), ...optional('roughnessFactor', roughnessFactor) };
 }
 
 /** The base colour of the older specular-glossiness extension, if the material has no other. */

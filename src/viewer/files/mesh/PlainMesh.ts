@@ -12,7 +12,7 @@ export interface PlainMesh {
   indices: Uint32Array | null;
   /** Two components per vertex; only in meshes with pictures. */
   uvs?: Float32Array;
-  /** Contiguous ranges of corners by picture, opacity, sides, shadows and paint; only in meshes where these differ, or with pictures. */
+  /** Contiguous ranges of corners by picture, opacity, sides, shadows, metal and paint; only in meshes where these differ, or with pictures or metal. */
   ranges?: PictureRange[];
   /** Of a mesh without ranges, see `PictureRange`. */
   isOneSided?: boolean;
@@ -29,7 +29,7 @@ export interface MeshParts {
   ofVertices: Uint32Array;
 }
 
-/** Consecutive corners with the same picture, opacity, sides, shadows and paint. */
+/** Consecutive corners with the same picture, opacity, sides, shadows, metal and paint. */
 export interface PictureRange {
   start: number;
   count: number;
@@ -41,6 +41,8 @@ export interface PictureRange {
   isOneSided?: boolean;
   /** Whether shadows are cast by the fronts of its triangles, instead of as three.js does it. */
   castsFronts?: boolean;
+  /** How much of a room it mirrors, from 0 to 1: smooth metal does. */
+  mirrors?: number;
   /** A name for the paint of its materials: those of one colour share it. Undefined where all paints are in one range. */
   paint?: string;
   /** Whether it is of nothing but small parts, of many. */

@@ -19,6 +19,7 @@ import { FAR } from '../mesh/fitModel.js';
 import { checkReadTriangles, type MeshParts, type PictureRange, type PlainMesh } from '../mesh/PlainMesh.js';
 import type { PictureLink, WantedPicture } from '../pictures/meshPictures.js';
 import { materialName, meshNames } from './meshNames.js';
+import { mirroredBy, reflectedColor } from './mirroredBy.js';
 import { repairScene } from './repairGeometry.js';
 import { resolveAlpha } from './resolveAlpha.js';
 
@@ -72,12 +73,13 @@ export function mergeScene(
   const placeOf = (piece: Piece): number => Math.max(0, paints.indexOf(paintOf(piece)));
   const small = paints.length > 1 ? smallAmongPieces(pieces, positions) : new Set<Piece>();
   const rangeOf = (piece: Piece): number =>
-    2 * (MOST_PAINTS * drawnAs(piece) + (piece.isSeeThrough ? 0 : placeOf(piece))) + Number(small.has(piece));
+    2 * ((STEPS_OF_METAL * drawnAs(piece) + piece.metal) * MOST_PAINTS + (piece.isSeeThrough ? 0 : placeOf(piece))) +
+    Number(small.has(piece));
   // Sorted, so that the triangles of each picture and paint form one range.
   let before: number | undefined;
   for (const { part, piece } of pieces.sort((a, b) => rangeOf(a.piece) - rangeOf(b.piece))) {
     const end = writeIndices(part, piece, indices, corner);
-    const { picture, isSeeThrough } = piece;
+    const { picture, isSeeThrough, metal } = piece;
     const sides = hasSides && { isOneSided: piece.isOneSided };
     const range = rangeOf(piece);
     const paint = paints.length > 1 && !isSeeThrough && { paint: paints[placeOf(piece)] };
@@ -87,13 +89,15 @@ export function mergeScene(
         ...{ start: corner, count: end - corner, picture },
         ...(isSeeThrough && { isSeeThrough }),
         ...sides,
+        ...(metal > 0 && { mirrors: metal / (STEPS_OF_METAL - 1) }),
         ...paint,
         ...(small.has(piece) && { isOfSmallParts: true }),
       });
     corner = end;
     before = range;
   }
-  const hasRanges = uvs !== null || ranges.length > 1 || ranges.some(({ isSeeThrough }) => isSeeThrough);
+  const hasRanges =
+    uvs !== null || ranges.length > 1 || ranges.some(({ isSeeThrough, mirrors }) => isSeeThrough || mirrors);
   const named = namedParts(parts, vertexCount, root);
   return {
     ...{ positions, normals, colors, indices },
@@ -121,6 +125,8 @@ interface Piece {
   /** The index of its picture, or -1. */
   picture: number;
   isSeeThrough: boolean;
+  /** How much its metal mirrors, in steps; 0 for all but smooth metal. */
+  metal: number;
   /** Whether only its front is drawn, where materials say it. */
   isOneSided: boolean;
   /** The index of its first corner among those of all pieces. */
@@ -130,6 +136,12 @@ interface Piece {
 /** The order of ranges but for their paint. See-through pieces come last. */
 const drawnAs = ({ picture, isSeeThrough, isOneSided }: Piece): number =>
   2 * (isSeeThrough ? 2 ** 32 : picture) + Number(isOneSided);
+
+/** In how many steps metal differs, each with a range of its own. */
+const STEPS_OF_METAL = 5;
+
+const stepOfMetal = (material: Material | undefined): number =>
+  material ? Math.round((STEPS_OF_METAL - 1) * mirroredBy(material)) : 0;
 
 /** The greatest number of paints with ranges of their own: each range is a call to draw. The rest has that of the first. */
 const MOST_PAINTS = 32;
@@ -216,9 +228,10 @@ function piecesOf(
     if (!(count > 0) || groupMaterial?.visible === false) continue;
     const picture = pictureOf(geometry, groupMaterial, pictures);
     const isSeeThrough = groupMaterial?.transparent ?? false;
+    const metal = isSeeThrough ? 0 : stepOfMetal(groupMaterial);
     const isOneSided = hasSides && groupMaterial?.side !== DoubleSide;
     for (const run of runsIn(userData.runs, start, count)) {
-      pieces.push({ ...run, material: groupMaterial, picture, isSeeThrough, isOneSided, first });
+      pieces.push({ ...run, material: groupMaterial, picture, isSeeThrough, metal, isOneSided, first });
       first += run.count;
     }
   }
@@ -350,7 +363,7 @@ function hasUsableNormals(mesh: Mesh): boolean {
 
 /** The colour of a piece. Black becomes white under a picture: some programs write it, and it would hide the picture. NaN becomes 1. */
 function pieceColor({ material, picture }: Piece): [number, number, number] {
-  const color = (material as { color?: Color } | undefined)?.color;
+  const color = material && reflectedColor(material);
   if (!color || (picture !== -1 && color.r + color.g + color.b === 0)) return [1, 1, 1];
   return color.toArray().map((value) => (Number.isFinite(value) ? value : 1)) as [number, number, number];
 }

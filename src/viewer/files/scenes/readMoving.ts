@@ -33,6 +33,7 @@ import { type ReadGltf, readParts } from '../gltf/readGltf.js';
 import { farCentre } from '../mesh/fitModel.js';
 import { normalizeNormals } from '../mesh/PlainMesh.js';
 import type { PictureLink } from '../pictures/meshPictures.js';
+import { mirroredBy, reflectedColor } from './mirroredBy.js';
 import { orientScene } from './orientScene.js';
 
 const noDraco: DracoSource = () => Promise.reject(new ModelError('A scene has nothing packed with Draco.'));
@@ -253,7 +254,9 @@ class SceneDocument {
   private materialOf(material: MeshPhongMaterial): number {
     const known = this.materials.get(material);
     if (known !== undefined) return known;
-    const { name, color, opacity, transparent, alphaTest, map } = material;
+    const { name, opacity, transparent, alphaTest, map } = material;
+    const color = reflectedColor(material);
+    const metallicFactor = mirroredBy(material);
     const factor = [...(color?.toArray() ?? [1, 1, 1]), opacity];
     const texture = map?.image ? this.textureOf(map) : undefined;
     const plain: GltfMaterial = {
@@ -262,6 +265,7 @@ class SceneDocument {
       pbrMetallicRoughness: {
         ...(factor.every(Number.isFinite) && { baseColorFactor: factor }),
         ...(texture && { baseColorTexture: texture }),
+        ...(metallicFactor > 0 && { metallicFactor, roughnessFactor: 0 }),
       },
     };
     const index = this.document.materials.push(plain) - 1;

@@ -6,7 +6,8 @@ import type { ReceivedShadow } from '../base/lights.js';
 import { lightLuminance } from '../base/maths.js';
 import { hatchingElement, hatchingUniform } from '../base/uniforms.js';
 import { type TextureValue, tsl, type Value } from '../base/values.js';
-import { hollowness } from './occlusion.js';
+import { mirroredRoom, mirroredShare } from './metal.js';
+import { hollowness, openToSky } from './occlusion.js';
 import { shadowTone } from './softShadows.js';
 
 const { clamp, dot, float, floor, max, min, mix, pow, select, step, vec3 } = tsl;
@@ -57,10 +58,20 @@ export interface ToneRules {
   curve: number;
   /** The choice `toneModel`. */
   toneModel: string;
+  /** Whether the surface is metal that mirrors the room. */
+  isMirror: boolean;
 }
 
-const litTone = (radiance: Value, { darkness }: HatchingSurface, rules: ToneRules): Value =>
-  deepened(darkenedByColor(toneFromRadiance(exposed(radiance), rules), darkness), hollowness());
+/** The tone of a light, as far as metal mirrors the room instead. */
+function mirroredTone(tone: Value, rules: ToneRules): Value {
+  if (!rules.isMirror) return tone;
+  return mix(tone, toneFromRadiance(openToSky().mul(mirroredRoom()), rules), mirroredShare());
+}
+
+function litTone(radiance: Value, { darkness }: HatchingSurface, rules: ToneRules): Value {
+  const tone = mirroredTone(toneFromRadiance(exposed(radiance), rules), rules);
+  return deepened(darkenedByColor(tone, darkness), hollowness());
+}
 
 function toneOfShadows({ radiance, shadowed, shadowLeft }: HatchingSurface, rules: ToneRules): Value {
   // Without shadows nothing is printed.

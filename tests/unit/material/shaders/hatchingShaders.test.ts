@@ -15,9 +15,10 @@ const names = Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[];
 /** The folders of shaders, each with one of its techniques. */
 const FOLDERS = { adjacency: 'adjacency', lines: 'engraving', strokes: 'hatching', triangle: 'triangle' } as const;
 
-/** The shaders of a technique, with the part that it needs, with or without a hand. */
-async function shadersWith(technique: HatchingTechnique, hand: object | null): Promise<Shaders> {
-  return hatchingShaders(technique, (await fetchPart(partNameOf(technique, hand))).files);
+/** The shaders of a technique, with the part that it needs, with or without a hand and smooth metal. */
+async function shadersWith(technique: HatchingTechnique, hand: object | null, metalness = 0): Promise<Shaders> {
+  const name = partNameOf({ technique, hand, metalness, roughness: 0 });
+  return hatchingShaders(technique, (await fetchPart(name)).files);
 }
 
 const shadersOf = (technique: HatchingTechnique): Promise<Shaders> => shadersWith(technique, null);
@@ -65,12 +66,24 @@ describe('the shaders', () => {
     expect(holds).toEqual([true, false]);
   });
 
+  test.each(names)('of %s have the code of metal only for metal, and are the same but for it', async (technique) => {
+    const [plain, metal] = await Promise.all([shadersOf(technique), shadersWith(technique, null, 1)]);
+    expect(plain.fragmentShader).not.toMatch(/metal/);
+    expect(metal.vertexShader).toBe(plain.vertexShader);
+    const file = (name: string): string => readFileSync(`shaders/chunks/${name}.glsl`, 'utf8');
+    const [before, after] = plain.fragmentShader.split(file('darkenedByColor'));
+    expect(after).toBeDefined();
+    expect(metal.fragmentShader.startsWith(before)).toBe(true);
+    expect(metal.fragmentShader.endsWith(after)).toBe(true);
+    expect(metal.fragmentShader).toContain(file('metal'));
+  });
+
   test('lie in a folder for each family of techniques, and for each of those per triangle', () => {
     expect(readdirSync('shaders/techniques').sort()).toEqual(Object.keys(FOLDERS));
   });
 
   test('no file lies there for nothing', async () => {
-    const ofLooks = [...names.map(shadersOf), shadersWith('pen', {})];
+    const ofLooks = [...names.map(shadersOf), shadersWith('pen', {}), shadersWith('pen', null, 1)];
     const ground = new HatchingShadowMaterial({ technique: 'pen' });
     await ground.ready;
     const all = [

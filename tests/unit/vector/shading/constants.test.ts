@@ -78,7 +78,7 @@ describe('numbers that shaders and the processor share', () => {
   test('are defined exactly once in every program that uses them', async () => {
     const programs = [outlineShaders(), backgroundShaders()];
     for (const technique of Object.keys(HATCHING_TECHNIQUES) as HatchingTechnique[]) {
-      programs.push(hatchingShaders(technique, (await fetchPart(partNameOf(technique))).files));
+      programs.push(hatchingShaders(technique, (await fetchPart(partNameOf({ technique }))).files));
     }
     for (const text of new Set(
       programs.flatMap(({ vertexShader, fragmentShader }) => [vertexShader, fragmentShader]),

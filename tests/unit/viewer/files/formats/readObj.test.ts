@@ -44,6 +44,18 @@ describe('OBJ', () => {
     expect(box.notes).toEqual(['blue.mtl is missing: drop it along']);
   });
 
+  test('materials of polished metal mirror, in the colour of their gloss', async () => {
+    const metal = 'newmtl red\nKd 0 0 0\n\tKs 0.8\r\nNs 200\n';
+    const renamed = (text: string): string => text.replaceAll('red', 'metal');
+    const mirrors = async (mtl: string): Promise<number[]> => {
+      const { mesh } = await read(['box.obj', renamed(colouredBoxObj)], ['box.mtl', renamed(mtl)]);
+      return (mesh.ranges ?? []).filter((range) => range.mirrors).map(({ count }) => count);
+    };
+    expect(await mirrors(metal)).toEqual([12]);
+    expect(await mirrors(metal.replace('Ns 200', 'Ns 5'))).toEqual([]);
+    expect(await mirrors(metal.replace('Ks 0.8', 'Ks spectral gloss.rfl 1'))).toEqual([]);
+  });
+
   test('a name of materials with spaces is one name, also where its file is missing', async () => {
     const named = (names: string): string => colouredBoxObj.replace('mtllib box.mtl', `mtllib ${names}`);
     const missing = async (names: string, ...files: [string, string][]): Promise<string[]> =>

@@ -495,6 +495,23 @@ describe('pictures', () => {
     expect(material.map).toMatchObject({ wrapS: 1001, wrapT: 1002, minFilter: 1004, magFilter: 1003, flipY: false });
   });
 
+  test('of metal leave a surface plain, and factors reach the material', async () => {
+    const metalOf = async (metal: object): Promise<number[]> => {
+      const builder = tetrahedron();
+      const { json } = builder;
+      json.images = [{ bufferView: builder.view(picture(4)) }];
+      json.textures = [{ source: 0 }];
+      json.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, ...metal } }];
+      json.meshes[0].primitives[0].material = 0;
+      const { root } = await scene(builder);
+      const { metalness, roughness } = (root.children[0] as Mesh).material as MeshStandardMaterial;
+      return [metalness, roughness];
+    };
+    expect(await metalOf({ metallicFactor: 0.75, roughnessFactor: 0.25 })).toEqual([0.75, 0.25]);
+    expect(await metalOf({ roughnessFactor: 0.25 })).toEqual([1, 0.25]);
+    expect((await metalOf({ roughnessFactor: 0.25, metallicRoughnessTexture: { index: 0 } }))[0]).toBe(0);
+  });
+
   test('missing emissive maps leave a surface dark, so that it can be hatched', async () => {
     const builder = tetrahedron();
     builder.json.images = [{ uri: 'lamp.png' }];

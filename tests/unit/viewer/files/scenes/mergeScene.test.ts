@@ -6,6 +6,7 @@ import {
   Matrix4,
   Mesh,
   MeshBasicMaterial,
+  MeshStandardMaterial,
   type Object3D,
   PlaneGeometry,
   Vector3,
@@ -89,6 +90,25 @@ test('many small parts have ranges of their own for each colour', () => {
     { start: 96, count: 90, picture: -1, paint: '0000ff', isOfSmallParts: true },
   ]);
   expect(mergeScene(new Group().add(plate, ...stones.slice(7))).ranges).toHaveLength(2);
+});
+
+test('smooth metal has a range of its own, and rough metal, plastic and glass have none', () => {
+  const surfaces = [
+    { metalness: 1, roughness: 0.2 },
+    { metalness: 1, roughness: 0.9 },
+    { metalness: 0.5, roughness: 0.4 },
+    { metalness: 0, roughness: 0 },
+    { metalness: 1, roughness: 0, transparent: true, opacity: 0.3 },
+  ];
+  const meshes = surfaces.map((surface) => new Mesh(new PlaneGeometry(), new MeshStandardMaterial(surface)));
+  expect(mergeScene(new Group().add(...meshes)).ranges).toEqual([
+    { start: 0, count: 12, picture: -1 },
+    { start: 12, count: 6, picture: -1, mirrors: 0.5 },
+    { start: 18, count: 6, picture: -1, mirrors: 1 },
+    { start: 24, count: 6, picture: -1, isSeeThrough: true },
+  ]);
+  const [ball] = meshes;
+  expect(mergeScene(new Group().add(ball)).ranges).toEqual([{ start: 0, count: 6, picture: -1, mirrors: 1 }]);
 });
 
 describe('sides', () => {
