@@ -111,6 +111,28 @@ export const tone: readonly Mutation[] = [
     },
   },
   {
+    name: 'metal mirrors a room upside down',
+    file: 'shaders/chunks/metal.glsl',
+    find: 'smoothstep(-HORIZON, HORIZON, above)',
+    replace: 'smoothstep(-HORIZON, HORIZON, -above)',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/metal.spec.ts',
+      title: 'metal mirrors a room as the reference on the processor: …engraving',
+    },
+  },
+  {
+    name: 'drawings as lines mirror no room in metal',
+    file: 'src/vector/ToneReader.ts',
+    find: 'const share = look.mirrored;',
+    replace: 'const share = 0;',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/vector.spec.ts',
+      title: 'a torus of smooth metal is drawn as on the canvas',
+    },
+  },
+  {
     name: 'steps of tone are cut in shaders',
     file: 'shaders/chunks/tone.glsl',
     find: 'floor(tone * last + 0.5)',
