@@ -82,8 +82,7 @@ export class Ground {
     if (this.kind === 'none') return;
     if (!this.isMade) void this.make();
     parameterSetter(look.drawn)(this.material);
-    // Under a low light the ground gets less light than its surroundings reflect, and its shadow would vanish.
-    if (this.kind === 'shadow') Object.assign(this.materials.shadow, look.groundShadow, { reflectedLight: 0 });
+    if (this.kind === 'shadow') Object.assign(this.materials.shadow, look.groundShadow);
     if (this.mesh) this.mesh.material = this.material;
     this.showPaper(true);
     this.freePrograms();

@@ -1,14 +1,13 @@
 import { MathUtils } from 'three';
-import type { HatchingMaterialParameters, HatchingShadowOptions } from 'three-hatching';
+import type { HatchingMaterialParameters } from 'three-hatching';
 import { needsMap } from 'three-hatching/facts';
 import {
   backgroundLook,
+  groundShadowLook,
   materialLook,
   materialSizes,
   type OutlineLook,
   outlineLook,
-  type SHADOW_NUMBERS,
-  shadowNumbers,
 } from './materialLook.js';
 import { SETTING_KEYS, SETTINGS, type Settings } from './settings.js';
 import { type LightPlace, placeOfLight, placeOfSecondLight, UPRIGHT } from './settingValues.js';
@@ -43,7 +42,7 @@ export interface Look {
   readonly ground: Settings['ground'];
   readonly showsGround: boolean;
   /** The properties of a ground that shows shadows alone. */
-  readonly groundShadow: Readonly<Pick<HatchingShadowOptions, (typeof SHADOW_NUMBERS)[number]>>;
+  readonly groundShadow: Readonly<ReturnType<typeof groundShadowLook>>;
   /** The parameters of the background, in CSS pixels; undefined if it is hidden. */
   readonly background: ReturnType<typeof backgroundLook>;
   /** The colour of the empty paper. */
@@ -78,7 +77,7 @@ export function lookOf(settings: Settings): Look {
     showsSurfaceColors: shown.surfaceColors === 'shown',
     ground,
     showsGround: ground !== 'none' && !isDebugView,
-    groundShadow: shadowNumbers(shown),
+    groundShadow: groundShadowLook(shown),
     background: isDebugView ? undefined : backgroundLook(shown),
     paper,
     upright: UPRIGHT[upAxis],

@@ -176,9 +176,13 @@ export const SHADOW_NUMBERS = ['shadowTone', 'shadowFade', 'shadowSoftness'] as 
 
 type ShadowNumbers = Record<(typeof SHADOW_NUMBERS)[number], number>;
 
-/** The shadow parameters of the ground's material. */
-export const shadowNumbers = (settings: Settings): ShadowNumbers =>
-  Object.fromEntries(SHADOW_NUMBERS.map((name) => [name, UNITS.share.toProperty(settings[name])])) as ShadowNumbers;
+/** The properties of a ground that shows shadows alone. Reflected light would outshine a low light on it, and its shadow would vanish. */
+export const groundShadowLook = (settings: Settings): ShadowNumbers & { reflectedLight: 0 } => ({
+  ...(Object.fromEntries(
+    SHADOW_NUMBERS.map((name) => [name, UNITS.share.toProperty(settings[name])]),
+  ) as ShadowNumbers),
+  reflectedLight: 0,
+});
 
 /** The settings that correspond to parameters of the ground's material. Absent parameters give no setting. */
 export const settingsOfShadow = (parameters: Partial<HatchingShadowOptions> = {}): Partial<Settings> =>

@@ -28,13 +28,18 @@ function shadowUnder(material: HatchingShadowMaterial, elevation: number): numbe
   return reader.read(place as unknown as Parameters<ToneReader['read']>[0], 'all').tone;
 }
 
-test('the shadow on the ground is as dark under a low light as under a high one', () => {
+test('the shadow on the ground is as dark under a low light as under a high one', async () => {
   const shadow = new HatchingShadowMaterial();
-  const ground = new Ground(new Scene(), () => {}, { floor: new HatchingMaterial(), shadow });
+  let whenReady = (): void => {};
+  const ready = new Promise<void>((resolve) => {
+    whenReady = resolve;
+  });
+  const ground = new Ground(new Scene(), whenReady, { floor: new HatchingMaterial(), shadow });
   const look = lookOf(firstView());
   expect(look.ground).toBe('shadow');
   expect(look.drawn.reflectedLight).toBeGreaterThan(0);
   ground.apply(look);
+  await ready;
   const high = shadowUnder(shadow, 60);
   expect(high).toBeGreaterThan(0.2);
   for (const elevation of [1, 5, 20, 80]) expect(shadowUnder(shadow, elevation), `${elevation}`).toBeCloseTo(high, 3);
