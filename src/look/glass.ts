@@ -3,7 +3,7 @@ export const GLASS = {
   transparent: true,
   opacity: 1,
   depthWrite: false,
-  paperOpacity: 0,
+  paperOpacity: 0.5,
   direction: 'slant',
   toneCurve: [
     [0, 0],

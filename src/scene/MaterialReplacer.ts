@@ -117,7 +117,7 @@ function hatchingMaterialFrom(
     Object.assign(
       material,
       GLASS,
-      { paperOpacity: 1 - Math.min(transmission, 1) },
+      { paperOpacity: 1 - (1 - GLASS.paperOpacity) * Math.min(transmission, 1) },
       parameters.paperOpacity !== undefined && { paperOpacity: parameters.paperOpacity },
     );
 }

@@ -232,7 +232,7 @@ export class HatchedModel {
         const { isGlass: isClear, blending, premultipliedAlpha } = surfaces[i];
         material.colorWrite = ink !== 'hidden';
         material.toneCurve = ink === 'blank' ? BLANK_CURVE : (shown.look?.[kind]?.toneCurve ?? material.toneCurve);
-        if (!isClear) material.paperOpacity = paper ? 1 : 0;
+        material.paperOpacity = !paper ? 0 : isClear ? GLASS.paperOpacity : 1;
         // NoBlending makes a near surface overwrite strokes behind it, also in the gaps between its own strokes.
         material.blending = paper || isClear ? blending : NoBlending;
         material.premultipliedAlpha = paper || isClear ? premultipliedAlpha : true;

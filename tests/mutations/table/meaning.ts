@@ -21,7 +21,7 @@ export const meaning: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/drawing/glass.test.ts',
-      title: 'is glass: it hides nothing, and casts and receives no shadow',
+      title: 'is glass: it lightens what is behind it, and casts and receives no shadow',
     },
   },
   {

@@ -17,9 +17,10 @@ async function hatched(
   return materials[0];
 }
 
-test('a material with transmission is drawn as glass, which hides nothing and is never dark', async () => {
+test('a material with transmission is drawn as glass, a veil of paper before what is behind, and is never dark', async () => {
   expect(await hatched({ transmission: 1 })).toMatchObject(GLASS);
-  expect(await hatched({ transmission: 0.75 })).toMatchObject({ ...GLASS, paperOpacity: 0.25 });
+  const paperOpacity = 1 - 0.75 * (1 - GLASS.paperOpacity);
+  expect(await hatched({ transmission: 0.75 })).toMatchObject({ ...GLASS, paperOpacity });
   expect(await hatched({ transmission: 1 }, { paperOpacity: 0.5 })).toMatchObject({ ...GLASS, paperOpacity: 0.5 });
 });
 
