@@ -129,7 +129,8 @@ const MAX_MESHES = 512;
  * The number of samples of one mesh if there are few meshes and if there are many, and the number of triangles that they are taken
  * from.
  */
-const SAMPLES_OF_ONE = { least: 1 << 4, most: 1 << 10 };
+const LEAST_SAMPLES = 1 << 4;
+const MOST_SAMPLES = 1 << 10;
 const TRIANGLES_PER_SAMPLE = 1 << 4;
 /** The greatest number of instances of a mesh that are sampled. */
 const MAX_INSTANCES = 16;
@@ -239,9 +240,8 @@ export class ExposureFit {
 /** The places of surfaces. */
 function placesOf({ meshes, materials }: SceneContents): Place[] {
   const step = Math.max(1, Math.ceil(meshes.length / MAX_MESHES));
-  const { least, most } = SAMPLES_OF_ONE;
   const share = 2 ** Math.floor(Math.log2((4 * MAX_SAMPLES * step) / Math.max(1, meshes.length)));
-  const wanted = Math.min(most, Math.max(least, share));
+  const wanted = Math.min(MOST_SAMPLES, Math.max(LEAST_SAMPLES, share));
   const places: Place[] = [];
   for (let i = 0; i < meshes.length; i += step) {
     const mesh = meshes[i];
@@ -295,21 +295,28 @@ const light: Arriving = { direct: 0, indirect: 0, reflected: 0 };
 /** The cosine to the vertical above which a surface is level. */
 const LEVEL = 0.95;
 /** The share of what is seen from above by whose occlusion rooms are told, and the occlusions from which on it may be and is a room. */
-const ROOM = { share: 0.4, from: 0.3, to: 0.45 };
+const ROOM_SHARE = 0.4;
+const ROOM_FROM = 0.3;
+const ROOM_TO = 0.45;
 /** The shares in all that is seen from anywhere from which on level surfaces may be and are a floor. */
-const FLOOR = { from: 0.03, to: 0.05 };
+const FLOOR_FROM = 0.03;
+const FLOOR_TO = 0.05;
 
 /**
  * The share of all that is seen from anywhere that may lie in deep hollows, and the occlusions from which on that share is and all of it is deep.
- * Views show hollows from where they are open, so that a picture may have thrice that share. If there is more, all but the share `left` have no more
- * than `occlusion` once they are lightened.
+ * Views show hollows from where they are open, so that a picture may have thrice that share. If there is more, all but the share `DEEP_LEFT` have no
+ * more than `OPENED` once they are lightened.
  */
-const HOLLOWS = { share: 0.1, from: 0.62, to: 0.75, left: 0.03, occlusion: 0.3 };
+const DEEP_SHARE = 0.1;
+const DEEP_FROM = 0.62;
+const DEEP_TO = 0.75;
+const DEEP_LEFT = 0.03;
+const OPENED = 0.3;
 
 /**
  * The occlusion that counts as open: 0, unless nearly all that is seen from above is a floor with walls around it, or so much lies in deep
- * hollows that it would be one black, as in a doll's house, cupboards or a lattice. What is not level counts as open to a floor, since rooms
- * have floors.
+ * hollows that it would be one black, as in a doll's house, cupboards or a lattice. What is not level counts as open to a floor, since
+ * rooms have floors.
  */
 function opennessOf(
   places: readonly Place[],
@@ -336,12 +343,11 @@ function opennessOf(
     }
   }
   if (all === 0) return { ofRoom: 0, openOcclusion: 0 };
-  const floor = fromAbove.quantile(ROOM.share);
-  const ofRoom = floor * smoothstep(ROOM.from, ROOM.to, floor) * smoothstep(FLOOR.from, FLOOR.to, level / all);
-  const deep = relativeOcclusion(fromAround.quantile(1 - HOLLOWS.share), ofRoom);
-  const deepest = relativeOcclusion(fromAround.quantile(1 - HOLLOWS.left), ofRoom);
-  const { from, to, occlusion } = HOLLOWS;
-  const ofHollows = ((deepest - occlusion) / (1 - occlusion)) * smoothstep(from, to, deep);
+  const floor = fromAbove.quantile(ROOM_SHARE);
+  const ofRoom = floor * smoothstep(ROOM_FROM, ROOM_TO, floor) * smoothstep(FLOOR_FROM, FLOOR_TO, level / all);
+  const deep = relativeOcclusion(fromAround.quantile(1 - DEEP_SHARE), ofRoom);
+  const deepest = relativeOcclusion(fromAround.quantile(1 - DEEP_LEFT), ofRoom);
+  const ofHollows = ((deepest - OPENED) / (1 - OPENED)) * smoothstep(DEEP_FROM, DEEP_TO, deep);
   return { ofRoom, openOcclusion: ofRoom + (1 - ofRoom) * ofHollows };
 }
 

@@ -10,7 +10,7 @@ import {
   Vector3,
 } from 'three';
 import { radianceAround, type Surroundings } from '../../look/surroundings.js';
-import { luminanceOf } from '../../look/vectors.js';
+import { luminanceOf, smoothstep } from '../../look/vectors.js';
 import { harmonicsOf } from './environmentHarmonics.js';
 import type { SceneContents } from './SceneContents.js';
 
@@ -106,7 +106,7 @@ export class LightsAround {
         const distance = toLamp.length();
         toLamp.divideScalar(distance);
         sent *= attenuation(distance, lamp);
-        if (lamp.axis) cone = smoothstep(lamp.outer, lamp.inner, toLamp.dot(lamp.axis));
+        if (lamp.axis) cone = smoothstep(lamp.outer, Math.max(lamp.inner, lamp.outer + HARD), toLamp.dot(lamp.axis));
       }
       const cosine = normal.dot(toLamp);
       direct += sent * cone * (isHalfLambert ? (0.5 * cosine + 0.5) ** 2 : Math.max(cosine, 0));
@@ -117,6 +117,9 @@ export class LightsAround {
     result.reflected = reflected / Math.PI;
   }
 }
+
+/** The least width of the edge of a cone, as a difference of cosines. */
+const HARD = 1e-9;
 
 const FAR = { isFar: true, distance: 0, decay: 0, axis: undefined, outer: 0, inner: 0 } as const;
 
@@ -133,10 +136,4 @@ function lampAt(light: PointLight | SpotLight, full: number): Lamp {
 function attenuation(length: number, { distance, decay }: Lamp): number {
   const left = 1 / Math.max(length ** decay, 0.01);
   return distance > 0 ? left * Math.max(0, Math.min(1, 1 - (length / distance) ** 4)) ** 2 : left;
-}
-
-function smoothstep(from: number, to: number, value: number): number {
-  if (to <= from) return Number(value >= to);
-  const t = Math.max(0, Math.min(1, (value - from) / (to - from)));
-  return t * t * (3 - 2 * t);
 }

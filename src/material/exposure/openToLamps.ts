@@ -1,4 +1,5 @@
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
+import { smoothstep } from '../../look/vectors.js';
 
 /**
  * The share of directional light that reaches an occluded surface, as in `occlude.glsl`.
@@ -6,7 +7,5 @@ import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
  * @param occlusion the baked occlusion, from 0 to 1
  * @param strength the share of the occlusion that counts
  */
-export function openToLamps(occlusion: number, strength: number): number {
-  const t = Math.min(1, occlusion / TONE_CONSTANTS.CAVITY);
-  return 1 - strength * occlusion * t * t * (3 - 2 * t);
-}
+export const openToLamps = (occlusion: number, strength: number): number =>
+  1 - strength * occlusion * smoothstep(0, TONE_CONSTANTS.CAVITY, occlusion);

@@ -97,18 +97,23 @@ const BURIED = 0.9;
  * of large triangles counts beside its vertex. A vertex that is buried in a body has the occlusion of its stand-in, which is seen.
  */
 function occlusionIn({ sums, standIns, areLarge, samplePositions, standsFor }: OcclusionScene): OcclusionAt {
-  const share = (above: number, visible: number): number => (above > 0 ? 1 - visible / above : 0);
-  const hiddenAt = (sample: number): number => share(sums[2 * sample], sums[2 * sample + 1]);
+  const hiddenAt = (...samples: readonly number[]): number => {
+    let [above, visible] = [0, 0];
+    for (const sample of samples) {
+      above += sums[2 * sample];
+      visible += sums[2 * sample + 1];
+    }
+    return above > 0 ? 1 - visible / above : 0;
+  };
   const vertices = samplePositions.length / 3 - standsFor.length;
   const ofVertices = new Map(Array.from(standIns, (vertex, i) => [vertex, i]));
   return (sample) => {
     const own = hiddenAt(sample);
     const i = ofVertices.get(sample);
     if (i === undefined) return own;
-    const [at, within] = [2 * sample, 2 * (vertices + i)];
-    const seen = areLarge[i] === 1 ? share(sums[at] + sums[within], sums[at + 1] + sums[within + 1]) : own;
-    const buried = Math.max(0, (own - BURIED) / (1 - BURIED));
-    return seen + buried * (hiddenAt(vertices + i) - seen);
+    const within = vertices + i;
+    const seen = areLarge[i] === 1 ? hiddenAt(sample, within) : own;
+    return seen + Math.max(0, (own - BURIED) / (1 - BURIED)) * (hiddenAt(within) - seen);
   };
 }
 

@@ -11,7 +11,8 @@ const SLENDER = 4;
 const FLAT = 0.999;
 const STRAIGHT = 0.9;
 /** The places within a large and a long triangle that stand for a corner: shares of the way from the middle to it. */
-const PLACES = { large: [0.55, 0.2], long: [0.4] };
+const WITHIN_LARGE = [0.55, 0.2];
+const WITHIN_LONG = [0.4];
 /** Long triangles are measured until their samples are as many as those of vertices, or this many. */
 const MOST_LONG = 1 << 15;
 
@@ -75,7 +76,7 @@ export function* samplesWithin(
       const isAlong = (corner: number) =>
         Math.abs(sum((k) => sampleNormals[3 * corner + k] * areaNormals[first + k])) > least * area;
       if (!corners.every(isAlong)) continue;
-      const places = isLarge ? PLACES.large : PLACES.long;
+      const places = isLarge ? WITHIN_LARGE : WITHIN_LONG;
       for (const side of sides) {
         for (const corner of corners) {
           for (const share of places) {
