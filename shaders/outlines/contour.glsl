@@ -11,10 +11,8 @@ float taperAt(const in float bend) {
 
 // The two points on the edges of a triangle at which `values` is 0; false if it has one sign.
 bool zeroSet(
-  const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c, const in vec3 values, out PieceEnd start, out PieceEnd end
+  const in OutlinePoint a, const in OutlinePoint b, const in OutlinePoint c, const in vec3 values, inout PieceEnd start, inout PieceEnd end
 ) {
-  start = noEnd();
-  end = noEnd();
   bvec3 positive = greaterThanEqual(values, vec3(0.0));
   if (all(positive) || !any(positive)) return false;
   // The edges from the corner with the lone sign to the other two are cut.

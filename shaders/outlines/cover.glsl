@@ -7,22 +7,13 @@ uniform float objectScale; // view units per object unit, the mean over directio
 // Margin for the antialiased edge, pixels.
 #define FRINGE 1.0
 
-void clearVaryings() {
-  vEnds = vec4(0.0);
-  vHalfWidths = vec4(0.0);
-  vStart = vec4(0.0);
-  vEnd = vec4(0.0);
-  vOvershoots = vec2(0.0);
-  vLineWeights = vec4(0.0);
-  vContour = 0.0;
-  vTolerance = 0.0;
+// Half widths before paper and before a surface, pixels, without the factor of fading. spacing: the distance of the lines there, pixels.
+vec2 halfWidthsAt(const in PieceEnd end, const in float spacing) {
+  vec2 weights = vec2(end.weight, end.innerWeight);
   #ifdef HIDDEN
-    vOrigin = vec2(0.0);
+    weights = vec2(hiddenWeight(max(weights.x, weights.y)));
   #endif // HIDDEN
-  #ifdef WOBBLE
-    vAnchorStart = vec3(0.0);
-    vAnchorEnd = vec3(0.0);
-  #endif // WOBBLE
+  return 0.5 * min(outlineWidth * weights, max(CROWDED_SHARE * spacing - LEAST_WIDTH * outlineWidth, 0.0));
 }
 
 // View units per pixel at a point.
@@ -48,8 +39,8 @@ void cutAt(const in float z, inout vec3 place, inout PieceEnd cut, const in vec3
   cut.overshoot = 0.0;
 }
 
-// Writes the position and the varyings of one corner of the triangle.
-void coverPiece(const in Piece piece, const in int corner) {
+// Writes the position and the varyings of one corner of the triangle. spacing: the distance of the lines there, object units.
+void coverPiece(const in Piece piece, const in float spacing, const in int corner) {
   float scale = objectScale;
   #ifdef USE_INSTANCING
     scale *= pow(abs(determinant(mat3(instancePlace))), 1.0 / 3.0);
@@ -71,10 +62,11 @@ void coverPiece(const in Piece piece, const in int corner) {
     else if (end.z > z) cutAt(z, end, to, start, from);
   }
 
-  vec2 halfStart = halfWidthsAt(from);
-  vec2 halfEnd = halfWidthsAt(to);
-  vec2 halves = vec2(max(halfStart.x, halfStart.y), max(halfEnd.x, halfEnd.y)) * (1.0 + accents * piece.contour);
   vec2 pixels = vec2(unitsToPixel(start), unitsToPixel(end));
+  vec2 halfStart = halfWidthsAt(from, spacing * scale / pixels.x);
+  vec2 halfEnd = halfWidthsAt(to, spacing * scale / pixels.y);
+  if (halfStart + halfEnd == vec2(0.0)) return;
+  vec2 halves = vec2(max(halfStart.x, halfStart.y), max(halfEnd.x, halfEnd.y)) * (1.0 + accents * piece.contour);
   vec3 nearStart = lifted(start, liftOf(from, piece, halves.x * pixels.x, pixels.x, scale));
   vec3 nearEnd = lifted(end, liftOf(to, piece, halves.y * pixels.y, pixels.y, scale));
   vec4 clipStart = projectionMatrix * vec4(nearStart, 1.0);

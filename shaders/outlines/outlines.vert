@@ -22,7 +22,6 @@
 #ifdef HIDDEN
   #include "outlines/hidden"
 #endif // HIDDEN
-#include "outlines/width"
 #include "outlines/cover"
 
 uniform vec4 eye; // object space; for an orthographic camera w is 0 and xyz the direction to the eye
@@ -30,7 +29,6 @@ uniform vec4 eye; // object space; for an orthographic camera w is 0 and xyz the
 void main() {
   // Pieces that are not drawn lie outside of clip space.
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-  clearVaryings();
 
   uvec4 primitive = readPrimitive(gl_VertexID / 3);
   vec4 seenFrom = eyeOfInstance(eye);
@@ -52,5 +50,5 @@ void main() {
   #ifndef HIDDEN
     shade(piece);
   #endif // HIDDEN
-  coverPiece(piece, gl_VertexID % 3);
+  coverPiece(piece, spacingOf(primitive), gl_VertexID % 3);
 }

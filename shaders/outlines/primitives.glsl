@@ -27,12 +27,22 @@ uvec4 readPrimitive(const in int i) {
   return texelFetch(outlinePrimitives, texelOf(number, textureSize(outlinePrimitives, 0).x), 0);
 }
 
+// The number in the highest bits of two words.
+uint highBits(const in uvec2 words) {
+  return (words.x >> POINT_BITS) | ((words.y >> POINT_BITS) << 4);
+}
+
 uint flagsOf(const in uvec4 primitive) {
-  return (primitive.x >> POINT_BITS) | ((primitive.y >> POINT_BITS) << 4);
+  return highBits(primitive.xy);
 }
 
 bool isEdge(const in uvec4 primitive) {
   return (flagsOf(primitive) & EDGE_IS_EDGE) != 0u;
+}
+
+// The distance of the lines there, object units.
+float spacingOf(const in uvec4 primitive) {
+  return radius * exp2(float(highBits(primitive.zw)) / -SPACING_STEPS);
 }
 
 // Whether the instance is hidden by a scale of 0.

@@ -160,7 +160,8 @@ export class LineDrawer {
   private *drawSeen({ mesh, look, clip, ink, group }: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
     const { scene, projection, bvh, least, millimetre } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
-    const joining = outlineChains(pieces, mesh, look, projection, scene.illumination);
+    const pen = this.pens?.('outlines', ink) ?? 0;
+    const joining = outlineChains(pieces, mesh, look, projection, scene.illumination, pen);
     const chains = yield* asPhase(joining, 0.4, 0.5);
     const parts: (SeenOutline & { left: number })[] = [];
     for (const [i, chain] of chains.entries()) {
@@ -191,7 +192,8 @@ export class LineDrawer {
     const even = hiddenLook(look);
     const pieces = yield* asPhase(outlinePieces(mesh, even, true), 0, 0.4);
     weighHidden(pieces);
-    const chains = yield* asPhase(outlineChains(pieces, mesh, even, projection, scene.illumination), 0.4, 0.5);
+    const pen = this.pens?.('hidden', ink) ?? 0;
+    const chains = yield* asPhase(outlineChains(pieces, mesh, even, projection, scene.illumination, pen), 0.4, 0.5);
     const layer = this.layerOf('hidden', ink, group, look.hidden === 'faint' ? FAINT : 1);
     const dash = look.hidden === 'dashed' ? ([DASH * look.width, GAP * look.width] as const) : null;
     for (const [i, chain] of chains.entries()) {

@@ -34,6 +34,7 @@ const OF_TASKS: OfTasks<typeof indexedTasks, 'indexed'> &
   startOcclusion: 'scene',
   addDirections: 'scene',
   orientChecked: 'scene',
+  lineSpacings: 'scene',
   intersectOutlines: 'scene',
 };
 

@@ -25,6 +25,7 @@ const requestBuffers: TaskSet<BakingTasks>['requestBuffers'] = {
   startOcclusion: buffersIn,
   addDirections: buffersIn,
   orientChecked: buffersIn,
+  lineSpacings: buffersIn,
   intersectOutlines: buffersIn,
 };
 

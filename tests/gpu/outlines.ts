@@ -13,6 +13,7 @@ import {
 import { outlineDataOf } from '../../src/material/geometry/OutlineData.js';
 import { HATCHING_OUTLINE_DEFAULTS } from '../../src/material/outlines/outlineProperties.js';
 import { loadModel } from '../../tools/metrics/loadModel.js';
+import { loneStrip, strips } from './strips.js';
 import { visibleLines, wrongLength } from './visibleLines.js';
 
 type Options = HatchingOutlineParameters & { layout?: PrepareHatchingGeometryOptions['layout']; isClear?: boolean };
@@ -165,6 +166,8 @@ const lining = {
   strayInk,
   visibleLines,
   wrongLength,
+  strips,
+  loneStrip,
 };
 
 declare global {

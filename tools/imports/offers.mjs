@@ -33,6 +33,7 @@ export const OFFERS = {
     'detail/simplifyHatched.ts',
     'detail/simplifyTriangles.ts',
     'features/contourCandidates.ts',
+    'features/lineSpacings.ts',
     'form/FormField.ts',
     'intersections/findIntersections.ts',
     'intersections/intersectOutlines.ts',

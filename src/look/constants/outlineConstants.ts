@@ -33,6 +33,10 @@ export const OUTLINE_CONSTANTS = {
   /** Largest slope of the parts of a cut-out surface that have outlines. */
   CUT_SLOPE: 9,
 
+  /** The greatest width of lines in a crowd as a share of the distance between them, of which this share of their width is taken. */
+  CROWDED_SHARE: 0.35,
+  LEAST_WIDTH: 0.1,
+
   /** Pixels beyond its side at which an outline begins to search for what lies behind it. */
   BEYOND: 1.5,
   /**

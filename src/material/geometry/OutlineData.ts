@@ -27,7 +27,16 @@ export class OutlineData {
    * @param points the texture of the points, if it exists already
    */
   constructor(
-    { points: words, primitives, searched, triangleCount, edgeCount, positions, normals, radius }: PackedOutlines,
+    {
+      points: words,
+      primitives,
+      searched,
+      triangleCount,
+      edgeCount,
+      positions,
+      normals,
+      radius,
+    }: Omit<PackedOutlines, 'mayCrowd'>,
     public createWorker?: (() => Worker) | undefined,
     readonly points: DataTexture = integerTexture(words),
   ) {
@@ -40,7 +49,7 @@ export class OutlineData {
   }
 
   /** The data for other primitives over the same points. The caller frees the texture of the primitives. */
-  withPrimitives(others: Omit<PackedOutlines, 'points' | 'radius'>): OutlineData {
+  withPrimitives(others: Omit<PackedOutlines, 'points' | 'radius' | 'mayCrowd'>): OutlineData {
     const { createWorker, points, radius } = this;
     return new OutlineData(
       { ...others, points: points.image.data as Uint32Array<ArrayBuffer>, radius },

@@ -3,7 +3,7 @@ import { HATCHING_TECHNIQUES } from '../../look/hatchingProperties.js';
 import { needsAdjacency } from '../../look/queries.js';
 import type { BakeRequest } from '../../mesh/bake/bakeCorners.js';
 import type { OutlineRequest } from '../../mesh/bake/bakeOutlines.js';
-import type { FormRequest } from '../../mesh/bake/bakeSurface.js';
+import type { BakeReport } from '../../mesh/bake/bakeSurface.js';
 import { appendVertices, type VertexWords } from '../../mesh/bake/vertexWords.js';
 import type { FormField } from '../../mesh/form/FormField.js';
 import type { TriangleMesh } from '../../mesh/TriangleMesh.js';
@@ -142,27 +142,31 @@ export async function prepareWithForm(
     weldTolerance: options.weldTolerance,
     wantsNormals: repairs.computedNormals > 0,
     outlines: outlineRequest(options.outlines, range),
-    form: formRequestOf(options),
+    form: formRequest('prepareHatchingGeometry', options.form),
     // A form field that was baked for other triangles does not fit.
     bakedForm: bakedForm?.ofCorner.length === mesh.indices.length ? bakedForm : null,
   };
 
+  const requestFor = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
+  const requestAgain = (): BakeRequest => requestFor(extractAgain());
+  const complete = async <Baked extends BakeReport>(baking: Promise<Baked>): Promise<Baked & NotBaked> => {
+    const baked = await baking;
+    if (baked.outlines?.mayCrowd) {
+      const code = await import('./spaceOutlines.js');
+      await code.spaceOutlines(baked.outlines, options);
+    }
+    return { ...baked, ...own };
+  };
   if (positions) {
     const attributes = [{ ...place, ...positions }, ...kept.map((entry, i) => ({ ...entry, ...copied[i] }))];
     const again = () => ({ ...request, mesh: extractAgain().mesh });
-    const baking = runTask('bakeIndexed', { ...request, mesh }, options, again);
-    applyIndexed(prepared, attributes, { ...(await baking), ...own });
-    await codeOfOutlines;
-    return prepared;
-  }
-  const requestFor = ({ mesh, copied }: ExtractedSource): BakeRequest => ({ ...request, mesh, attributes: copied });
-  const requestAgain = (): BakeRequest => requestFor(extractAgain());
-  if (layout === 'pull') {
+    applyIndexed(prepared, attributes, await complete(runTask('bakeIndexed', { ...request, mesh }, options, again)));
+  } else if (layout === 'pull') {
     const baking = runTask('bakePull', requestFor(source), options, requestAgain);
-    applyPull(prepared, kept, { ...(await baking), ...own });
+    applyPull(prepared, kept, await complete(baking));
   } else {
     const baking = runTask('bakeCorners', requestFor(source), options, requestAgain);
-    applyCorners(prepared, kept, { ...(await baking), ...own });
+    applyCorners(prepared, kept, await complete(baking));
   }
   await codeOfOutlines;
   return prepared;
@@ -171,10 +175,6 @@ export async function prepareWithForm(
 /** Whether the meshes of a geometry may have a skin or morph targets. */
 const mayDeform = ({ attributes, morphAttributes }: BufferGeometry): boolean =>
   Boolean(attributes.skinIndex || morphAttributes.position || morphAttributes.normal);
-
-/** The request for a form field, if one is requested. */
-const formRequestOf = ({ form }: PrepareHatchingGeometryOptions): FormRequest | null =>
-  form === undefined || form === false ? null : formRequest('prepareHatchingGeometry', form);
 
 /** Copies of a geometry's data that the bake needs, repaired where necessary. */
 interface ExtractedSource extends Repairs {
@@ -228,14 +228,13 @@ function outlineRequest(
 }
 
 function chooseLayout(
-  { attributes, morphAttributes }: BufferGeometry,
+  geometry: BufferGeometry,
   triangleCount: number,
   options: PrepareHatchingGeometryOptions,
 ): HatchingStatistics['layout'] {
   const { layout = wantsAdjacency(options) ? 'auto' : 'indexed' } = options;
   if (layout !== 'auto') return layout;
-  const deforms = attributes.skinIndex || morphAttributes.position || morphAttributes.normal;
-  return deforms || triangleCount > MANY_TRIANGLES ? 'pull' : 'corner';
+  return mayDeform(geometry) || triangleCount > MANY_TRIANGLES ? 'pull' : 'corner';
 }
 
 const wantsAdjacency = ({ adjacency = false, technique }: PrepareHatchingGeometryOptions): boolean =>
@@ -244,14 +243,10 @@ const wantsAdjacency = ({ adjacency = false, technique }: PrepareHatchingGeometr
 function checkValues(options: PrepareHatchingGeometryOptions, creaseAngle: number): void {
   const { adjacency = false, orient = false, technique, layout = 'auto', outlines } = options;
   const { smoothingRadius, weldTolerance } = options;
-  if (typeof adjacency !== 'boolean') {
+  for (const [name, value] of Object.entries({ adjacency, orient })) {
+    if (typeof value === 'boolean') continue;
     throw new TypeError(
-      `prepareHatchingGeometry: adjacency is ${String(adjacency)}. Pass true or false, or leave the option out.`,
-    );
-  }
-  if (typeof orient !== 'boolean') {
-    throw new TypeError(
-      `prepareHatchingGeometry: orient is ${String(orient)}. Pass true or false, or leave the option out.`,
+      `prepareHatchingGeometry: ${name} is ${String(value)}. Pass true or false, or leave the option out.`,
     );
   }
   if (technique !== undefined && !Object.hasOwn(HATCHING_TECHNIQUES, technique)) {

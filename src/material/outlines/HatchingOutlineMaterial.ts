@@ -25,6 +25,7 @@ import {
   MATERIAL_BORDER,
   POINT_BITS,
   POINT_MASK,
+  SPACING_STEPS,
 } from '../../mesh/bake/outlineLayout.js';
 import { checkColor } from '../checkProperty.js';
 import { FrameStamp } from '../FrameStamp.js';
@@ -58,6 +59,7 @@ const outlineConventionsChunk = (): string =>
     ...Object.entries(flags).map(([name, bit]) => `#define EDGE_${name} ${bit}u`),
     definesOf(OUTLINE_CONSTANTS),
     definesOf({ ACCENT_STEPS, POINT_BITS }, ''),
+    definesOf({ SPACING_STEPS }),
     definesOf({ POINT_MASK }, 'u'),
   ].join('\n');
 

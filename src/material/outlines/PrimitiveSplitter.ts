@@ -75,7 +75,7 @@ export class PrimitiveSplitter {
     this.normals = normals;
     this.points = new Uint32Array(3 * triangleCount);
     for (let t = 0; t < triangleCount; t++)
-      for (let k = 0; k < 3; k++) this.points[3 * t + k] = this.words[PRIMITIVE_WORDS * t + k];
+      for (let k = 0; k < 3; k++) this.points[3 * t + k] = this.words[PRIMITIVE_WORDS * t + k] & POINT_MASK;
     const table = new EdgeTable(this.points);
     this.sides = new Int32Array(2 * edgeCount);
     for (let edge = 0; edge < edgeCount; edge++) this.findSides(edge, table);

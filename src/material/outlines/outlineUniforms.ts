@@ -39,34 +39,17 @@ export const createOutlineUniforms = (): Record<string, IUniform> =>
     UniformsUtils.merge([
       UniformsLib.lights,
       UniformsLib.fog,
+      // All are written before the first draw.
+      Object.fromEntries(
+        [
+          ...[...OUTLINE_NUMBER_NAMES, ...WEIGHTED_LINES, ...OUTLINE_MESH_UNIFORMS],
+          ...['ink', 'isDashed', 'hasSceneDepth', 'nearDistance'],
+        ].map((name) => [name, { value: null }]),
+      ),
       createFadingUniforms(),
-      Object.fromEntries([...OUTLINE_NUMBER_NAMES, ...WEIGHTED_LINES].map((name) => [name, { value: 0 }])),
       {
-        ink: { value: null },
-        opacity: { value: 1 },
         shadeWeights: { value: new Vector2() },
-        toothMap: { value: null },
-        isDashed: { value: false },
-        // Geometry and mesh.
-        outlinePoints: { value: null },
-        outlinePrimitives: { value: null },
-        radius: { value: 1 },
-        deformedNormals: { value: null },
-        deformedPositions: { value: null },
-        deformedTurns: { value: null },
-        // Camera.
-        candidates: { value: null },
-        instancePlaces: { value: null },
-        isCutOut: { value: false },
-        isDrawnBefore: { value: false },
-        isListed: { value: false },
-        pull: { value: 0 },
-        showsBack: { value: false },
         eye: { value: new Vector4() },
-        hasSceneDepth: { value: false },
-        sceneDepth: { value: null },
-        nearDistance: { value: 0 },
-        objectScale: { value: 1 },
         viewport: { value: new Vector4() },
         toothOffset: { value: new Vector2() },
       },

@@ -31,6 +31,8 @@ export interface OutlineSurface {
   edges: FeatureEdges;
   /** Radius of the bounding sphere. */
   radius: number;
+  /** Whether there are so many parts between sharp edges and borders that outlines may crowd. */
+  mayCrowd: boolean;
 }
 
 /**
@@ -40,6 +42,9 @@ const CONTOUR_SHARE = 0.01;
 
 /** Smoothing radius of the normals for curvatures, as a share of the bounding radius. */
 const CURVATURE_SHARE = 0.015;
+
+/** The number of parts from which on outlines may crowd. */
+const MANY_PARTS = 24;
 
 /** A mesh with fewer triangles is no scan: its small patches are modelled faces. */
 const MIN_SCAN_TRIANGLES = 5000;
@@ -98,7 +103,7 @@ export function* bakeOutlines(
     1,
   );
   for (let edge = 0; edge < edges.flags.length; edge++) edges.flags[edge] |= IS_EDGE;
-  return { mesh, ...smooth, edges, radius };
+  return { mesh, ...smooth, edges, radius, mayCrowd: patches.sizes.length >= MANY_PARTS };
 }
 
 type SmoothSurface = Pick<OutlineSurface, 'fans' | 'normals' | 'curvatures'>;

@@ -15,7 +15,8 @@
  *     points 0, 1, 2, nothing                                    a triangle
  *     left start, left end, right start, right end               an edge, and its flags
  *
- * The lower four flags (below) lie in the highest four bits of the first word, the others in those of the second.
+ * The lower four flags (below) lie in the highest four bits of the first word, the others in those of the second. Those of the third and
+ * of the fourth word hold how close lines lie there: the radius is 2 to the power of that number / `SPACING_STEPS` times their distance.
  */
 
 /** Words of `outlinePoints` per point. */
@@ -29,6 +30,9 @@ export const POINT_BITS = 28;
 
 /** Mask of the number of a point in a word. */
 export const POINT_MASK: number = 2 ** POINT_BITS - 1;
+
+/** Steps per halving of the distance of lines. */
+export const SPACING_STEPS = 16;
 
 /** From this many triangles on, a search for contours takes more than about a millisecond, and runs in the worker on arrays of its own. */
 export const SEARCHED_IN_WORKER = 100_000;

@@ -45,6 +45,8 @@ export interface PackedOutlines {
   /** x, y, z of each point's unit normal. */
   normals: Float32Array<ArrayBuffer>;
   radius: number;
+  /** Whether there are so many parts that outlines may crowd, and `lineSpacings` is to be run. */
+  mayCrowd: boolean;
 }
 
 /**
@@ -53,7 +55,7 @@ export interface PackedOutlines {
  * @param indices the vertex of each corner in the layout that is baked
  */
 export function* packOutlines(
-  { fans, normals, curvatures, edges, radius, mesh }: OutlineSurface,
+  { fans, normals, curvatures, edges, radius, mesh, mayCrowd }: OutlineSurface,
   indices: Uint32Array,
 ): Generator<number, PackedOutlines, void> {
   const triangleCount = mesh.indices.length / 3;
@@ -77,7 +79,7 @@ export function* packOutlines(
     primitives[first + PRIMITIVE_WORDS * edge + 1] |= (flags >> 4) << POINT_BITS;
   }
   const searched = triangleCount < SEARCHED_IN_WORKER ? null : primitives.slice();
-  return { points, primitives, searched, triangleCount, edgeCount, positions, normals, radius };
+  return { points, primitives, searched, triangleCount, edgeCount, positions, normals, radius, mayCrowd };
 }
 
 /** Writes the position and a vertex of the fan of each corner in a range. */

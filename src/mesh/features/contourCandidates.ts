@@ -68,11 +68,16 @@ function judgePoints({ positions, normals, sides }: ContourSearch, eye: Eye, sin
   }
 }
 
-function listTriangles({ primitives, sides, list }: ContourSearch, listed: number, start: number, end: number): number {
+function listTriangles(
+  { primitives, sides, list, pointMask }: ContourSearch,
+  listed: number,
+  start: number,
+  end: number,
+): number {
   let count = listed;
   for (let triangle = start; triangle < end; triangle++) {
     const i = 4 * triangle;
-    const both = sides[primitives[i]] | sides[primitives[i + 1]] | sides[primitives[i + 2]];
+    const both = sides[primitives[i]] | sides[primitives[i + 1]] | sides[primitives[i + 2] & pointMask];
     if (both === (FACES | LOOKS_AWAY)) list[count++] = triangle;
   }
   return count;
@@ -89,7 +94,7 @@ function listEdges(
     const i = 4 * edge;
     const first = primitives[i];
     const leftSides = sides[first & pointMask] | sides[primitives[i + 1] & pointMask];
-    const rightSides = sides[primitives[i + 2]] | sides[primitives[i + 3]];
+    const rightSides = sides[primitives[i + 2] & pointMask] | sides[primitives[i + 3] & pointMask];
     const both = leftSides | rightSides;
     // An edge without a mark can only hold the contour, which needs a side that faces the eye and one that faces away.
     const kinds = (first & ~pointMask) >>> pointBits;

@@ -17,6 +17,8 @@ export interface OutlineMesh {
   placeOf: Uint32Array;
   /** Points of the triangles. */
   triangles: Uint32Array;
+  /** For each triangle the distance of the lines there, object units. */
+  spacings: Float32Array;
   edges: readonly FeatureEdge[];
   /** Radius of the bounding sphere, object units. */
   radius: number;
@@ -45,6 +47,8 @@ export interface FeatureEdge {
   /** Whether a straight line of edges ends, branches or turns there. */
   isCornerAtStart: boolean;
   isCornerAtEnd: boolean;
+  /** The distance of the lines there, object units. */
+  spacing: number;
 }
 
 /** The appearance of outlines. */
@@ -103,4 +107,6 @@ export interface OutlinePiece extends Omit<LiftedPiece, 'bend'> {
   end: PieceEnd;
   /** The share of the piece that is a contour or a border. */
   contour: number;
+  /** The distance of the lines there. */
+  spacing: number;
 }

@@ -60,7 +60,7 @@ function meetingMesh(mesh: OutlineMesh, lines: readonly Float64Array[]): Outline
       edges.push({
         ...{ leftStart: first, leftEnd: first + 1, rightStart: first + 2, rightEnd: first + 3 },
         ...{ isBorder: false, isCrease: false, isMaterialBorder: false, isIntersection: true, isContrary: false },
-        ...{ isCornerAtStart: false, isCornerAtEnd: false },
+        ...{ isCornerAtStart: false, isCornerAtEnd: false, spacing: Infinity },
       });
     }
   }
@@ -70,6 +70,7 @@ function meetingMesh(mesh: OutlineMesh, lines: readonly Float64Array[]): Outline
     anchors: Float32Array.from(positions),
     curvatures: new Float32Array(6 * SEGMENT_POINTS * count),
     triangles: new Uint32Array(0),
+    spacings: new Float32Array(0),
   };
 }
 

@@ -3,7 +3,7 @@ import { asPhase } from '../../mesh/phases.js';
 import { type Chain, ChainBuilder, type OutlinePoint } from '../Chain.js';
 import { fadedPlace, type Projection, transformed } from '../Projection.js';
 import { outlineFadingAt } from '../shading/fading.js';
-import { shadeWeight, wobbleAt } from '../shading/outlines.js';
+import { crowdedHalf, shadeWeight, wobbleAt } from '../shading/outlines.js';
 import { meanLightAt } from '../shading/radiance.js';
 import type { Illumination } from '../ToneReader.js';
 import type { OutlineLook, OutlineMesh, OutlinePiece, PieceEnd } from './OutlineMesh.js';
@@ -15,13 +15,18 @@ const LONGEST_PIECE = 6;
 /** Pieces per step. */
 const CHUNK = 256;
 
-/** Weighs pieces by the light, and joins them to chains. Yields its progress. */
+/**
+ * Weighs pieces by the light, and joins them to chains. Yields its progress.
+ *
+ * @param pen width of the pen that draws all outlines, pixels; 0 where they have widths of their own
+ */
 export function* outlineChains(
   pieces: readonly OutlinePiece[],
   mesh: OutlineMesh,
   look: OutlineLook,
   projection: Projection,
   lights: Illumination,
+  pen: number,
 ): Generator<number, Chain[], void> {
   for (const [i, piece] of pieces.entries()) {
     if (i % CHUNK === CHUNK - 1) yield (0.5 * i) / pieces.length;
@@ -33,7 +38,7 @@ export function* outlineChains(
   const walks = yield* asPhase(joints.walks(), 0.6, 0.7);
   let drawn = 0;
   for (const { steps, isClosed } of walks) {
-    const drawing = new OutlineDrawing(mesh, look, projection);
+    const drawing = new OutlineDrawing(mesh, look, projection, pen);
     for (const { piece, isReversed } of steps) {
       if (++drawn % CHUNK === 0) yield 0.7 + (0.3 * drawn) / pieces.length;
       const { start, end } = pieces[piece];
@@ -154,6 +159,7 @@ class OutlineDrawing {
     private readonly mesh: OutlineMesh,
     private readonly look: OutlineLook,
     private readonly projection: Projection,
+    private readonly pen: number,
   ) {}
 
   add(piece: OutlinePiece, from: PieceEnd, to: PieceEnd): void {
@@ -209,17 +215,20 @@ class OutlineDrawing {
     this.push(piece, { ...end, position: place.position });
   }
 
-  /** Half the width before paper, and before a surface. */
-  private halvesAt({ weight, innerWeight }: PieceEnd, world: Vec3): readonly [number, number] {
+  /** Half the width before paper, and before a surface. @param spacing the distance of the lines there, object units */
+  private halvesAt({ weight, innerWeight }: PieceEnd, world: Vec3, spacing: number): readonly [number, number] {
     const { width, fading } = this.look;
+    const pixel = this.projection.unitsPerPixel(this.projection.depthOf(...world));
+    const most = crowdedHalf((spacing * this.mesh.scale) / pixel, width, this.pen);
     const factor = fading === null ? 1 : outlineFadingAt(fading, fadedPlace(world, this.projection));
-    return [0.5 * width * factor * weight, 0.5 * width * factor * innerWeight];
+    const halfOf = (one: number): number => factor * Math.min(0.5 * width * one, most);
+    return [halfOf(weight), halfOf(innerWeight)];
   }
 
-  private push({ isSmooth, extent, ownCover, isValley, contour }: OutlinePiece, end: PieceEnd): void {
+  private push({ isSmooth, extent, ownCover, isValley, contour, spacing }: OutlinePiece, end: PieceEnd): void {
     const { near } = this.projection.camera;
     const world = this.worldOf(end);
-    const [half, inner] = this.halvesAt(end, world);
+    const [half, inner] = this.halvesAt(end, world, spacing);
     // Points before the near plane cannot be projected.
     const isBehind = this.projection.depthOf(...world) >= near;
     const screen = isBehind ? this.pixelOf(end) : [0, 0];
@@ -232,8 +241,8 @@ class OutlineDrawing {
   }
 
   /** Continues over another piece from the last point, which gets the mean width and the lift of both. */
-  private join({ isSmooth, extent, contour }: OutlinePiece, end: PieceEnd): void {
-    const [half, inner] = this.halvesAt(end, this.worldOf(end));
+  private join({ isSmooth, extent, contour, spacing }: OutlinePiece, end: PieceEnd): void {
+    const [half, inner] = this.halvesAt(end, this.worldOf(end), spacing);
     this.builder.share(half, Math.max(half, inner), -1);
     const before = this.points.pop()!;
     this.points.push({

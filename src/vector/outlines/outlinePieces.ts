@@ -135,7 +135,8 @@ class PieceFinder {
     const toEye = this.toEye(corners[0]);
     const extent = depthAcross(corners, start.position, end.position, toEye);
     const ownCover = looksAway(corners, normals, toEye) ? extent : 0;
-    return { start, end, isSmooth: true, contour, extent, ownCover, isValley: false };
+    const spacing = this.mesh.spacings[triangle];
+    return { start, end, isSmooth: true, contour, extent, ownCover, isValley: false, spacing };
   }
 
   /** The zero set of n·v, linear over a triangle. */
@@ -218,7 +219,8 @@ class PieceFinder {
     // What is a ridge in front is a valley at the back, and the other way round.
     const isTurned = look.showsBack && (isBehind || (isConcave && contourAlong(left, right) !== null));
     const isValley = !isBorder && isConcave !== isTurned;
-    return { start: ends[0], end: ends[1], isSmooth: false, contour, extent: 0, ownCover: 0, isValley };
+    const { spacing } = edge;
+    return { start: ends[0], end: ends[1], isSmooth: false, contour, extent: 0, ownCover: 0, isValley, spacing };
   }
 
   private endOnEdge(

@@ -6,7 +6,8 @@ const { LIT, SHADED, INSIDE, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, LIFT_SHARE, MO
   OUTLINE_CONSTANTS;
 const { BEGINS_AS_PAPER, IS_PAPER } = OUTLINE_CONSTANTS;
 const { STRAY_ACROSS, ACROSS_BENT, ACROSS_BEND, STRAY_UP, UP_BENT, UP_BEND, UP_PHASE } = OUTLINE_CONSTANTS;
-const { LOOKED_BESIDE, ROUNDING, STRAY_FINELY, FINE_PHASE, STRAY_SHARES } = OUTLINE_CONSTANTS;
+const { CROWDED_SHARE, LEAST_WIDTH, LOOKED_BESIDE, ROUNDING, STRAY_FINELY, FINE_PHASE, STRAY_SHARES } =
+  OUTLINE_CONSTANTS;
 
 /** Weight of a contour by the curvature of the surface along the line of sight: it ends in a cusp. */
 export const taperAt = (bend: number, taper: number): number =>
@@ -31,6 +32,18 @@ export function contourAlong(
   if (endsOn) return turn < 1 ? [turn, 1] : null;
   const least = Math.min(leftTurn, rightTurn);
   return least >= 0 && least < turn ? [least, turn] : null;
+}
+
+/**
+ * Half of the greatest width where lines crowd.
+ *
+ * @param spacing the distance between them, pixels
+ * @param width of an outline of weight 1, pixels
+ * @param pen the width of all lines, pixels: none is thinner. 0 where they have widths of their own
+ */
+export function crowdedHalf(spacing: number, width: number, pen: number): number {
+  const most = CROWDED_SHARE * spacing - LEAST_WIDTH * width;
+  return most > 0 && most >= pen ? 0.5 * most : 0;
 }
 
 /** The light, the eye, and the effect of light on outlines. Directions are unit, or null vectors for none. */

@@ -22,6 +22,7 @@ import {
   POINT_MASK,
   POINT_WORDS,
   PRIMITIVE_WORDS,
+  SPACING_STEPS,
   unpackPoints,
 } from '../../mesh/bake/outlineLayout.js';
 import { asPhase } from '../../mesh/phases.js';
@@ -83,15 +84,17 @@ export function* readOutlines(
   const primitives = data.primitives.image.data as Uint32Array;
   const { triangleCount, edgeCount } = data;
   const triangles = new Uint32Array(3 * triangleCount);
+  const spacings = new Float32Array(triangleCount);
   for (let t = 0; t < triangleCount; t++) {
     if (t % CHUNK === CHUNK - 1) yield (0.2 * t) / triangleCount;
-    for (let k = 0; k < 3; k++) triangles[3 * t + k] = primitives[PRIMITIVE_WORDS * t + k];
+    for (let k = 0; k < 3; k++) triangles[3 * t + k] = primitives[PRIMITIVE_WORDS * t + k] & POINT_MASK;
+    spacings[t] = spacingAt(primitives, PRIMITIVE_WORDS * t, data.radius);
   }
   const first = PRIMITIVE_WORDS * triangleCount;
   const edges: FeatureEdge[] = [];
   for (let i = 0; i < edgeCount; i++) {
     if (i % CHUNK === CHUNK - 1) yield 0.2;
-    edges.push(edgeAt(primitives, first + PRIMITIVE_WORDS * i));
+    edges.push(edgeAt(primitives, first + PRIMITIVE_WORDS * i, data.radius));
   }
   yield 0.2;
   const pointCount = pointCountOf(triangles, edges);
@@ -104,7 +107,7 @@ export function* readOutlines(
   yield 0.5;
   const places = yield* asPhase(placesAlong(anchors), 0.5, 1);
   return {
-    ...{ positions, normals, anchors, curvatures, triangles, edges },
+    ...{ positions, normals, anchors, curvatures, triangles, spacings, edges },
     placeOf: positions === anchors ? places : weldBoth(places, yield* placesAlong(positions)),
     radius: data.radius || 1,
     toWorld: [...toWorld.elements],
@@ -123,8 +126,16 @@ function pointCountOf(triangles: Uint32Array, edges: readonly FeatureEdge[]): nu
   return most + 1;
 }
 
-function edgeAt(words: Uint32Array, o: number): FeatureEdge {
-  const flags = (words[o] >>> POINT_BITS) | ((words[o + 1] >>> POINT_BITS) << 4);
+/** The number in the highest bits of two words. */
+const highBits = (words: Uint32Array, o: number): number =>
+  (words[o] >>> POINT_BITS) | ((words[o + 1] >>> POINT_BITS) << 4);
+
+/** The distance of the lines at a primitive. @param radius of the bounding sphere */
+const spacingAt = (words: Uint32Array, o: number, radius: number): number =>
+  radius * 2 ** (-highBits(words, o + 2) / SPACING_STEPS);
+
+function edgeAt(words: Uint32Array, o: number, radius: number): FeatureEdge {
+  const flags = highBits(words, o);
   return {
     leftStart: words[o] & POINT_MASK,
     leftEnd: words[o + 1] & POINT_MASK,
@@ -137,6 +148,7 @@ function edgeAt(words: Uint32Array, o: number): FeatureEdge {
     isContrary: (flags & CONTRARY) !== 0,
     isCornerAtStart: (flags & CORNER_AT_START) !== 0,
     isCornerAtEnd: (flags & CORNER_AT_END) !== 0,
+    spacing: spacingAt(words, o, radius),
   };
 }
 

@@ -142,10 +142,21 @@ export const outlines: readonly Mutation[] = [
   },
   {
     name: 'outlines are twice as wide',
-    file: 'shaders/outlines/width.glsl',
-    find: 'return 0.5 * outlineWidth',
-    replace: 'return outlineWidth',
+    file: 'shaders/outlines/cover.glsl',
+    find: 'return 0.5 * min(outlineWidth * weights',
+    replace: 'return min(outlineWidth * weights',
     caughtBy: { layer: 'gpu', file: 'tests/gpu/outlines.spec.ts', title: 'outlines on a sphere are as wide as asked' },
+  },
+  {
+    name: 'outlines that crowd keep their width',
+    file: 'shaders/outlines/cover.glsl',
+    find: 'CROWDED_SHARE * spacing',
+    replace: '1e3 * spacing',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/crowdedOutlines.spec.ts',
+      title: 'the ink of outlines that crowd is bounded in every block, and changes little by little with the distance',
+    },
   },
   {
     name: 'every edge is a contour',

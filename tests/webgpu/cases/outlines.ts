@@ -17,6 +17,7 @@ import {
 import { HatchingOutlines, prepareHatchingGeometry } from 'three-hatching';
 import { HatchingOutlines as NodeOutlines } from 'three-hatching/webgpu';
 import { loadIntersections } from '../../../src/material/outlines/loadIntersections.js';
+import { strips } from '../../gpu/strips.js';
 import { knot } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
@@ -91,6 +92,7 @@ export const cases: readonly SceneCase[] = [
       transparent: true,
     }),
   },
+  { name: 'leaves that crowd, and one alone', show: show({ outlineWidth: 3 }, () => strips(40)) },
   {
     name: 'chalk, by an unsteady hand',
     show: show({ outlineWidth: 9, paperGrain: 0.8, paperGrainSize: 4, wobble: 1 }),

@@ -15,7 +15,7 @@ import * as varyings from './varyings.js';
 
 const { abs, bool, cameraProjectionMatrix, cross, distance, dot, float, If, int, length, max, min, mix, pow } = tsl;
 const { select, sqrt, vec2, vec3, vec4 } = tsl;
-const { EDGE_SLOPE, LIFT_SHARE, LOOKED_BESIDE, MOST_RISE, ROUNDING } = OUTLINE_CONSTANTS;
+const { CROWDED_SHARE, EDGE_SLOPE, LEAST_WIDTH, LIFT_SHARE, LOOKED_BESIDE, MOST_RISE, ROUNDING } = OUTLINE_CONSTANTS;
 
 /**
  * Counterpart of shaders/outlines/hiding.glsl: before the depth test each end is moved towards the eye along its ray, just far enough that
@@ -64,12 +64,6 @@ export const lifted = (position: Value, lift: Value): Value =>
     position.mul(min(lift.div(max(length(position), 1e-20)), 0.9).oneMinus()),
   );
 
-/** Counterpart of shaders/outlines/width.glsl: the width of an outline at an end of a piece. */
-
-/** Half widths before paper and before a surface, pixels, without the factor of fading. */
-const halfWidthsAt = ({ weight, innerWeight }: PieceEnd, { HIDDEN }: OutlineDefines): Value =>
-  (HIDDEN ? vec2(hiddenWeight(max(weight, innerWeight))) : vec2(weight, innerWeight)).mul(outlineWidth).mul(0.5);
-
 /** Counterpart of shaders/outlines/cover.glsl: the screen triangle that covers a piece of outline. */
 
 const objectScale = /* @__PURE__ */ hatchingUniform('objectScale', 'float');
@@ -79,16 +73,15 @@ const FRINGE = 1;
 /** A factor on the near distance: just behind the near plane. */
 const BEHIND_NEAR = 1.0001;
 
-export function clearVaryings({ HIDDEN, WOBBLE }: OutlineDefines): void {
-  const { vContour, vEnd, vEnds, vHalfWidths, vOvershoots, vLineWeights, vStart, vTolerance } = varyings;
-  for (const varying of [vEnds, vHalfWidths, vStart, vEnd, vLineWeights]) varying.assign(vec4(0));
-  vOvershoots.assign(vec2(0));
-  vContour.assign(0);
-  vTolerance.assign(0);
-  if (HIDDEN) varyings.vOrigin.assign(vec2(0));
-  if (!WOBBLE) return;
-  varyings.vAnchorStart.assign(vec3(0));
-  varyings.vAnchorEnd.assign(vec3(0));
+/**
+ * Half widths before paper and before a surface, pixels, without the factor of fading.
+ *
+ * @param spacing the distance of the lines there, pixels
+ */
+function halfWidthsAt({ weight, innerWeight }: PieceEnd, spacing: Value, { HIDDEN }: OutlineDefines): Value {
+  const weights = HIDDEN ? vec2(hiddenWeight(max(weight, innerWeight))) : vec2(weight, innerWeight);
+  const most = max(spacing.mul(CROWDED_SHARE).sub(outlineWidth.mul(LEAST_WIDTH)), 0);
+  return min(weights.mul(outlineWidth), most).mul(0.5).toVar();
 }
 
 /** View units per pixel at a point. */
@@ -123,9 +116,15 @@ const larger = (two: Value): Value => max(two.x, two.y);
 
 const scaleOf = ([x, y, z]: InstancePlace): Value => objectScale.mul(pow(abs(dot(x, cross(y, z))), 1 / 3)).toVar();
 
-/** Writes the position and the varyings of one corner of the triangle. @param clipPosition output */
+/**
+ * Writes the position and the varyings of one corner of the triangle.
+ *
+ * @param spacing the distance of the lines there, object units
+ * @param clipPosition output
+ */
 export function coverPiece(
   piece: Piece,
+  spacing: Value,
   corner: Value,
   place: InstancePlace,
   clipPosition: Value,
@@ -155,11 +154,11 @@ export function coverPiece(
   });
 
   If(isDrawn, () => {
-    const halfStart = halfWidthsAt(from, defines).toVar();
-    const halfEnd = halfWidthsAt(to, defines).toVar();
-    const halves = vec2(larger(halfStart), larger(halfEnd)).mul(accents.mul(piece.contour).add(1)).toVar();
     const pixelAtStart = unitsToPixel(start).toVar();
     const pixelAtEnd = unitsToPixel(end).toVar();
+    const halfStart = halfWidthsAt(from, spacing.mul(scale).div(pixelAtStart), defines);
+    const halfEnd = halfWidthsAt(to, spacing.mul(scale).div(pixelAtEnd), defines);
+    const halves = vec2(larger(halfStart), larger(halfEnd)).mul(accents.mul(piece.contour).add(1)).toVar();
     const liftedEnd = (place: Value, end: PieceEnd, half: Value, pixel: Value): Value =>
       lifted(place, liftOf(end, piece, half.mul(pixel), pixel, scale).toVar()).toVar();
     const nearStart = liftedEnd(start, from, halves.x, pixelAtStart);

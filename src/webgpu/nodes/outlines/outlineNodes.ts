@@ -6,11 +6,11 @@ import { isOrthographic } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { threeNodes, tsl, type Value } from '../base/values.js';
 import { contour, suggestiveContour, suggestiveContours } from './contour.js';
-import { clearVaryings, coverPiece } from './cover.js';
+import { coverPiece } from './cover.js';
 import { featureEdge } from './featureEdge.js';
 import { fragments, type OutlineDefines, onSpine, spinePosition } from './fragments.js';
 import { isPiece, measureExtent, noPiece } from './piece.js';
-import { eyeOfInstance, flagsOf, isEdge, isScaledToNothing, readPoint, readPrimitive } from './points.js';
+import { eyeOfInstance, flagsOf, isEdge, isScaledToNothing, readPoint, readPrimitive, spacingOf } from './points.js';
 import { shade } from './shade.js';
 import { vEnd, vStart } from './varyings.js';
 
@@ -29,7 +29,6 @@ export const vertices = (defines: OutlineDefines): Value =>
   Fn((builder) => {
     // Pieces that are not drawn lie outside of clip space.
     const clipPosition = vec4(2, 2, 2, 1).toVar();
-    clearVaryings(defines);
     const index = int(vertexIndex).toVar();
     const { primitive, instancePlace } = readPrimitive(index.div(3));
     const seenFrom = eyeOfInstance(eye, instancePlace);
@@ -50,7 +49,7 @@ export const vertices = (defines: OutlineDefines): Value =>
     });
     If(isPiece(piece).and(isScaledToNothing(instancePlace).not()), () => {
       if (!defines.HIDDEN) shade(piece, instancePlace, lightsOf(builder));
-      coverPiece(piece, index.mod(3), instancePlace, clipPosition, defines, builder);
+      coverPiece(piece, spacingOf(primitive).toVar(), index.mod(3), instancePlace, clipPosition, defines, builder);
     });
     return clipPosition;
   })();

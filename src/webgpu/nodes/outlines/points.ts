@@ -1,11 +1,11 @@
 /** Outline primitives and their end points, read from textures. */
-import { IS_EDGE, POINT_BITS, POINT_MASK } from '../../../mesh/bake/outlineLayout.js';
+import { IS_EDGE, POINT_BITS, POINT_MASK, SPACING_STEPS } from '../../../mesh/bake/outlineLayout.js';
 import { identity } from '../base/maths.js';
 import { blankFloats, blankIntegers, blankPoses, hatchingTexture, hatchingUniform, texelOf } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { turnBack } from './poses.js';
 
-const { abs, cross, dot, float, If, instanceIndex, int, ivec2, max, normalize, select, transpose, uint } = tsl;
+const { abs, cross, dot, exp2, float, If, instanceIndex, int, ivec2, max, normalize, select, transpose, uint } = tsl;
 const { uintBitsToFloat, unpackHalf2x16, unpackSnorm2x16, vec3, vec4 } = tsl;
 
 /** Counterpart of shaders/outlines/points.glsl: the end points of outlines (src/mesh/bake/outlineLayout.ts). */
@@ -119,8 +119,15 @@ export function readPrimitive(i: Value): { primitive: Value; instancePlace: Inst
   return { primitive, instancePlace };
 }
 
-export const flagsOf = (primitive: Value): Value =>
-  primitive.x.shiftRight(uint(POINT_BITS)).bitOr(primitive.y.shiftRight(uint(POINT_BITS)).shiftLeft(uint(4)));
+/** The number in the highest bits of two words. */
+const highBits = (low: Value, high: Value): Value =>
+  low.shiftRight(uint(POINT_BITS)).bitOr(high.shiftRight(uint(POINT_BITS)).shiftLeft(uint(4)));
+
+export const flagsOf = (primitive: Value): Value => highBits(primitive.x, primitive.y);
+
+/** The distance of the lines there, object units. */
+export const spacingOf = (primitive: Value): Value =>
+  radius.mul(exp2(float(highBits(primitive.z, primitive.w)).div(-SPACING_STEPS)));
 
 export const hasFlag = (flags: Value, flag: number): Value => flags.bitAnd(uint(flag)).notEqual(uint(0));
 

@@ -31,6 +31,7 @@ const surface = (): OutlineSurface => ({
     flags: new Uint8Array(flags),
   },
   radius: 3,
+  mayCrowd: false,
 });
 
 const indices = new Uint32Array([10, 11, 12, 12, 11, 70_000]);
@@ -108,6 +109,7 @@ test('textures are two texels per point and one per primitive, padded to rows', 
         curvatures: new Float32Array(6 * count),
         edges: { fans: new Uint32Array(0), flags: new Uint8Array(0) },
         radius: 1,
+        mayCrowd: false,
       },
       mesh.indices,
     ),

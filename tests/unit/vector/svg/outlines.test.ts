@@ -12,6 +12,7 @@ import { describe, expect, test } from 'vitest';
 import type { HatchingMaterial } from '../../../../src/material/HatchingMaterial.js';
 import type { HatchingOutlineParameters } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
+import { loneStrip, strips } from '../../../gpu/strips.js';
 import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
@@ -160,5 +161,31 @@ describe('a Möbius strip', async () => {
     }
     // A tenth of a millimetre is hidden there.
     expect(Math.abs(drawn / length - 1)).toBeLessThan(0.005);
+  });
+});
+
+describe('outlines that crowd', () => {
+  const draw = async (source: BufferGeometry, kind: 'print' | 'pen') => {
+    const mesh = await hatchedMesh(source, { outlines: ALIKE, material: BLANK });
+    return drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), { sheet: [105, 105], margin: 0, kind });
+  };
+  // The picture is 2.1 wide, at 50 mm per unit: left, top, width and height of the crowd, and of the leaf that stands alone.
+  const CROWD = [10, 10, 70, 85] as const;
+  const LONE = [92, 10, 10, 85] as const;
+
+  test('are bounded in their ink, and one alone keeps its width', async () => {
+    const paths = pathsOf((await draw(strips(60), 'print')).svg);
+    const alone = pathsOf((await draw(loneStrip(60), 'print')).svg);
+    // Borders are 0.63 mm apart, and would be 0.48 mm wide.
+    expect(coverageOf(paths, CROWD)).toBeLessThan(0.35);
+    expect(coverageOf(paths, CROWD)).toBeGreaterThan(0.1);
+    expect(coverageOf(paths, LONE)).toBeCloseTo(coverageOf(alone, LONE), 3);
+  });
+
+  test('are left out by a pen that is wider than they may be', async () => {
+    const [beside, alone] = [await draw(strips(60), 'pen'), await draw(loneStrip(60), 'pen')];
+    expect(alone.paths).toBeGreaterThan(0);
+    // Of 240 borders a few are left at the rim of the crowd.
+    expect(beside.paths).toBeLessThan(alone.paths + 6);
   });
 });
