@@ -66,15 +66,15 @@ export function shortened(text: string): string {
       // Spaces stay in directives, where the space after a macro's name has a meaning.
       .replace(/^[^#].*/gm, (line) =>
         line
-          .replace(/ ?([=*/<>,;(){}?:&|]) ?/g, '$1')
+          .replace(/ ?([-+]=|[=*/%<>,;(){}?:&|]) ?/g, '$1')
           // Beside another + or − they stay, or `a + +b` would become `a++b`.
-          .replace(/(?<![+-]) ([+-]) (?![+-])/g, '$1')
+          .replace(/(?<![+-]) ?([+-]) ?(?![ +-])/g, '$1')
           // 0.5 and 1.0 as .5 and 1.
           .replace(/(?<![\w.])0(\.\d)/g, '$1')
           .replace(/(?<![\w.])(\d+\.)0(?![\w.])/g, '$1'),
       )
       .replace(/^#(el)?if .*/gm, (line) => line.replace(/ (==|!=|>|<|&&|\|\|) /g, '$1'))
-      .replace(/(^[^#\n].*[{(,;])\n(?!#)/gm, '$1')
+      .replace(/(^[^#\n].*[{}(,;])\n(?!#)/gm, '$1')
       .replace(/(^[^#\n].*)\n(?=[})])/gm, '$1')
       // Users look for this text in `onBeforeCompile`.
       .replace('void main(){', 'void main() {')
