@@ -1,4 +1,4 @@
-import { mix, smoothstep, type Vec3 } from '../../look/vectors.js';
+import { smoothstep, type Vec3 } from '../../look/vectors.js';
 import type { EngravedPlace, Engraver, FamilyName } from '../Engraver.js';
 import { drawnShareOf } from '../lineMarks.js';
 import { leftOf, otherShare } from '../shading/crossedTones.js';
@@ -27,8 +27,11 @@ export interface LaidTone {
 
 /** Tones above this one are drawn as this one: the lines of a pen get no closer. */
 const MOST = 0.95;
-/** Tones between which lines that cross give way, so that a solid dark is drawn once. */
+/** Tones between which sets give way to one, so that a solid dark is drawn once; and tones up to which a shadow falls on light. */
 const SOLID = [0.87, 0.95] as const;
+const LIGHT = [0.05, 0.3] as const;
+/** Shares of the paper that three sets cover, between which one gives way. */
+const THREEFOLD = [0.01, 0.05] as const;
 /** The share of the first family below which those that cross it take its place, and that of side B. */
 const HALF = 0.5;
 
@@ -52,6 +55,24 @@ export function layerOf({ name, layer }: Lay, cut: CutReading | null): Lay['laye
 export const hasLay = ({ families }: Engraver, name: LayName): boolean =>
   name === 'first' || families.includes(`${name}B`);
 
+/**
+ * The tones of sets with at most two of them over one another: where a third one would cross both, a set gives way, and the first takes its tone.
+ * Those of shadows stay, since they tell them apart. A solid dark is drawn by one set: the first, or that of shadows where they fall on light.
+ */
+function onDryPaper({ first, cross, third, shadow }: Record<LayName, number>): Record<LayName, number> {
+  const all = over(over(first, cross), over(third, shadow));
+  const solid = smoothstep(...SOLID, all);
+  const byFirst = solid * smoothstep(...LIGHT, first + 1 - shadow);
+  const leftFor = (tone: number, others: number): number =>
+    (1 - solid) * (1 - smoothstep(...THREEFOLD, tone * others * first)) * tone;
+  const thirdLeft = leftFor(third, Math.max(cross, shadow));
+  const crossLeft = leftFor(cross, over(thirdLeft, shadow));
+  const shadowLeft = (1 - byFirst) * shadow;
+  const others = over(over(thirdLeft, crossLeft), shadowLeft);
+  const firstLeft = (1 - (solid - byFirst)) * Math.max(leftOf(all, others), first);
+  return { first: firstLeft, cross: crossLeft, third: thirdLeft, shadow: shadowLeft };
+}
+
 /** The lines of every set at a place; null for sets that the surface does not have. */
 export function layTones(engraver: Engraver, at: EngravedPlace, tones: Tones): (LaidTone | null)[] {
   const { families } = engraver;
@@ -61,15 +82,12 @@ export function layTones(engraver: Engraver, at: EngravedPlace, tones: Tones): (
   const [first, cross] = [toneOf('first'), bothOf('cross')];
   // Where the first family runs along the surface, one set of lines has all of its tone.
   const alone = first + (1 - (at.cut?.firstShare ?? 1)) * (over(first, cross) - first);
-  const [third, shadow] = [bothOf('third'), bothOf('shadow')];
-  const all = over(over(first, cross), over(third, shadow));
-  const solid = smoothstep(...SOLID, all);
-  const of: Record<LayName, number> = {
-    first: mix(alone, all, solid),
-    cross: (1 - solid) * leftOf(over(first, cross), alone),
-    third: (1 - solid) * third,
-    shadow: (1 - solid) * shadow,
-  };
+  const of = onDryPaper({
+    first: alone,
+    cross: leftOf(over(first, cross), alone),
+    third: bothOf('third'),
+    shadow: bothOf('shadow'),
+  });
   return LAYS.map(({ name }): LaidTone | null => {
     const family = familyOf(name, at.cut);
     if (!hasLay(engraver, name)) return null;

@@ -45,6 +45,7 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
     /^(perFragment|techniques\/(strokes|lines))\/(faded|faceNormals|varyings|vertex|hatchLayer|layers)\.glsl$/,
     'it declares or composes what hatchSurface.ts does for nodes',
   ],
+  [/^chunks\/darkenedByColor\.glsl$/, 'its function is in chunks/tone.ts'],
   [/^chunks\/handStrokes\.glsl$/, 'only WebGLRenderer draws the strokes of a hand'],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs outlines of nodes, and outlines/outlineNodes.ts clips them'],
 ];
@@ -145,6 +146,8 @@ const OTHER_FUNCTIONS: Record<string, readonly string[]> = {
   // Only WebGLRenderer draws debug views.
   'techniques/lines/readCut.glsl': ['fieldUv'],
   'techniques/lines/readForm.glsl': ['fieldUv'],
+  // It is in chunks/tone.ts, for any surface.
+  'chunks/metal.glsl': ['darkenedByColor'],
   // Only the techniques of triangles read a single place.
   'chunks/thresholdMap.glsl': ['thresholdsAt', 'thresholdAt'],
   // Only the techniques of triangles average three rotations.

@@ -274,6 +274,8 @@ describe('lines of a shadow', () => {
       sun.position.set(0.9, 0.1, 2.2);
       const caster = plate(0.5);
       wall.receiveShadow = caster.castShadow = sun.castShadow = true;
+      // A whole shadow would be solid, with lines of the first family alone.
+      sun.shadow.intensity = 0.4;
       const scene = new Scene().add(wall, caster, sun);
       const options = { kind: 'pen', penWidth: 0.2, shadows: 'hard', sheet: [40, 40], margin: 0 } as const;
       const { svg } = await drawSVG(scene, camera(), options);
