@@ -8,12 +8,11 @@ import { LineDrawer, type PenWidths } from './LineDrawer.js';
 import { Projection } from './Projection.js';
 import { finishDots } from './paths/finishDots.js';
 import { finishPaths, joinedInk, type PathCounts, type Placement, type WrittenPath } from './paths/finishPaths.js';
-import { type SVGLayer, type SVGSheet, writeSVG } from './paths/writeSVG.js';
 import { limitPasses, type Penned } from './plot/limitPasses.js';
 import { type FileLayer, fileLayers } from './plot/penLayers.js';
 import { LAYERS, type PenPart, penWidth, thickestPen } from './plot/pens.js';
 import { plotSeconds } from './plot/plotTime.js';
-import { refills } from './plot/refills.js';
+import { filesOfPens, plotterFile, plotterLayers } from './plot/plotterLayers.js';
 import { writeDxf } from './plot/writeDxf.js';
 
 /** The phases of a drawing, in order. */
@@ -154,45 +153,16 @@ function written(
   });
   for (const layer of layers)
     for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += layer[name];
-  const isPerPen = pens !== null && pens.layers !== 'layer';
-  const svgLayers = finished.flatMap(({ layer, written }) =>
-    refills(written, pens?.refill ?? null).map(
-      (paths, part): SVGLayer => ({
-        ...{ name: layer.name, ink: layer.ink, opacity: layer.opacity, pen: layer.pen, paths },
-        codes: [part > 0 ? '!' : '', `${layer.speed === null ? '' : `+S${layer.speed}`}${isPerPen ? ' -' : ''}`],
-      }),
-    ),
-  );
-  const svg = writeSVG({ ...plan, picture }, isPerPen ? pausing(svgLayers) : svgLayers);
+  const svgLayers = plotterLayers(finished, pens);
+  const sheet = { ...plan, picture };
   return {
-    svg,
-    files: plan.isSplit ? filesOf(svgLayers, { ...plan, picture }) : [],
+    svg: plotterFile(svgLayers, pens, sheet),
+    files: plan.isSplit ? filesOfPens(svgLayers, sheet) : [],
     dxf: plan.hasDxf ? writeDxf(plan.height, finished) : null,
     layers,
     plotSeconds: pens && layers.reduce((sum, layer) => sum + layer.plotSeconds!, 0),
     ...counts,
   };
-}
-
-/** Layers that begin with a pause where another pen is needed than for the one before. */
-const pausing = (layers: readonly SVGLayer[]): SVGLayer[] =>
-  layers.map((layer, i) => {
-    const before = layers[i - 1] ?? layer;
-    const isOther = before.ink !== layer.ink || before.pen !== layer.pen;
-    return isOther ? { ...layer, codes: ['!', layer.codes?.[1] ?? ''] } : layer;
-  });
-
-/** A file for each pen. */
-function filesOf(layers: readonly SVGLayer[], sheet: SVGSheet): { name: string; svg: string }[] {
-  const byPen = new Map<string, SVGLayer[]>();
-  for (const layer of layers) {
-    const name = `${layer.ink} ${layer.pen}`;
-    byPen.set(name, [...(byPen.get(name) ?? []), layer]);
-  }
-  return [...byPen.values()].map((all) => ({
-    name: all.length === 1 ? all[0].name : `${all[0].ink} ${all[0].pen}`,
-    svg: writeSVG(sheet, all),
-  }));
 }
 
 /** Fits the picture of the camera into the middle of the sheet, within the margin. */
