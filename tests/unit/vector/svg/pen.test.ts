@@ -81,3 +81,25 @@ test.each([undefined, 0.4, 3])('every path of a pen is one line, none shorter th
     expect(length).toBeGreaterThan((shortest ?? 1) - 0.04);
   }
 });
+
+test.each([
+  ['a solid dark is drawn once', 0.97, ['lines']],
+  ['a half tone is drawn by two families', 0.75, ['lines', 'crossing']],
+])('%s', async (_, tone, layers) => {
+  const mesh = await planeOfTone(tone, { crossFrom: 0.3 });
+  const { svg } = await drawSVG(sceneOf(mesh), cameraAt(0, 0, 1, true), { kind: 'pen', sheet: [40, 40], margin: 0 });
+  expect(['lines', 'crossing'].filter((layer) => pathsOf(svg, layer).length > 0)).toEqual(layers);
+});
+
+test('pens pass over no place of a drawing more often than asked', async () => {
+  const drawnWith = async (maxPasses: number): Promise<number> => {
+    const mesh = await hatchedMesh(new SphereGeometry(1, 48, 32), { material: { technique: 'pen', crossFrom: 0.2 } });
+    const { drawn } = await drawSVG(sceneOf(mesh), cameraAt(0.3, 0.4, 1), {
+      ...{ kind: 'pen', lines: 'canvas', sheet: [60, 60], maxPasses },
+    });
+    return drawn;
+  };
+  const [once, twice, thrice] = [await drawnWith(1), await drawnWith(2), await drawnWith(3)];
+  expect(once).toBeLessThan(0.9 * twice);
+  expect(twice).toBeLessThan(thrice);
+});
