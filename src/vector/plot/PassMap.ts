@@ -6,6 +6,8 @@ const MOST_CELLS = 1 << 25;
 /** Places across a line that are looked at on each side of its middle, and the step between them in widths of the pen. */
 const PLACES_ASIDE = 2;
 const ASIDE = 1 / (2 * PLACES_ASIDE + 1);
+/** The longest piece of a path that is counted at once, in widths of the pen. */
+const LONGEST = 4;
 /** Marks cells that the path being added covers already, above all counts. */
 const OWN = 1 << 7;
 const MOST_COUNT = OWN - 1;
@@ -52,7 +54,13 @@ export class PassMap {
     for (let i = 1; i < count + Number(isClosed); i++) {
       const [from, to] = [i - 1, i % count].map((k) => PATH_STRIDE * k);
       const [x, y] = [points[from], points[from + 1]];
-      this.overSegment(x, y, points[to] - x, points[to + 1] - y, pen / 2, this.mark);
+      const [dx, dy] = [points[to] - x, points[to + 1] - y];
+      // Short pieces, since all cells of the box around one are looked at.
+      const steps = Math.max(Math.ceil(Math.hypot(dx, dy) / (LONGEST * pen)), 1);
+      for (let k = 0; k < steps; k++) {
+        const share = k / steps;
+        this.overSegment(x + share * dx, y + share * dy, dx / steps, dy / steps, pen / 2, this.mark);
+      }
     }
     this.countMarked();
   }

@@ -18,8 +18,8 @@ const LEVEL = 0.98;
 const WALL = 0.04;
 /** With its ceiling a room is closed: from these sides and above at most this share of what is seen is its inside. */
 const INSIDE = { share: 0.2, elevations: [15, 30], azimuths: [0, 60, 120, 180, 240, 300] };
-/** Rooms are not higher than wide, up to this factor. */
-const HIGHEST = 1.2;
+/** The greatest height of a room as a share of its longer and of its shorter side: higher bodies are cupboards and cubes. */
+const HIGHEST = { ofLonger: 0.9, ofShorter: 2.7 };
 
 /** The axis that points up, and whether it does so with its negative end. */
 const axisOf = (up: UpAxis): [axis: 0 | 1 | 2, sign: 1 | -1] => [
@@ -76,7 +76,8 @@ function findCeiling(mesh: PlainMesh, up: UpAxis): Uint8Array | undefined {
   const { low, high } = boundsOf(positions);
   const size = high.map((value, k) => value - low[k]);
   const plan = size[u] * size[v];
-  if (size[axis] > HIGHEST * Math.max(size[u], size[v])) return undefined;
+  const most = Math.min(HIGHEST.ofLonger * Math.max(size[u], size[v]), HIGHEST.ofShorter * Math.min(size[u], size[v]));
+  if (size[axis] > most) return undefined;
   const least = sign > 0 ? low[axis] + CEILING.above * size[axis] : low[axis] + (1 - CEILING.above) * size[axis];
   const isHigh = (vertex: number): boolean =>
     sign > 0 ? positions[3 * vertex + axis] >= least : positions[3 * vertex + axis] <= least;

@@ -73,8 +73,10 @@ describe('hidden outlines', () => {
       weights: { creases: 1 },
       outlineWidth: 2,
     });
-    const whole = pathsOf((await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), PEN)).svg, 'hidden');
-    const dashed = pathsOf((await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), { ...PEN, hidden: 'dashed' })).svg, 'hidden');
+    // Ends below two outlines stay.
+    const pen = { ...PEN, maxPasses: 3 };
+    const whole = pathsOf((await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), pen)).svg, 'hidden');
+    const dashed = pathsOf((await drawSVG(scene, cameraAt(2.2, 1.7, 2.9), { ...pen, hidden: 'dashed' })).svg, 'hidden');
     expect(dashed.length).toBeGreaterThan(30);
     expect(lengthOf(dashed) / lengthOf(whole)).toBeGreaterThan(3.5 / 5.5);
     expect(lengthOf(dashed) / lengthOf(whole)).toBeLessThan(3.5 / 5.5 + 0.05);

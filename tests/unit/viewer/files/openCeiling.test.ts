@@ -57,6 +57,14 @@ const TABLE = box([6, 0.2, 5], [8, 1, 6.5]);
 const FLAT = { floor: FLOOR, walls: WALLS, bed: BED, table: TABLE };
 const CLOSED = { ...FLAT, ceiling: CEILING };
 
+/** A closed room as deep as a cupboard is. */
+const CLOSED_ROW = Object.fromEntries(
+  Object.entries(CLOSED).map(([name, faces]) => [
+    name,
+    faces.map((face) => face.map(([x, y, z]): Point => [x, y, z / 8])),
+  ]),
+);
+
 async function read(content: string, ...switched: FileChangeKind[]): Promise<ReadMesh> {
   const model = await readModel([file('flat.obj', content)], () => {}, undefined, { switched });
   if (model.kind !== 'mesh') throw new Error('flat.obj is not a mesh');
@@ -121,6 +129,7 @@ describe('the ceiling of closed rooms', () => {
     ['a table', { top: CEILING, legs: [...box([0, 0, 0], [0.3, 2.8, 0.3]), ...box([9.7, 0, 7.7], [10, 2.8, 8])] }],
     ['a hollow box', { outside: room(3), inside: box([0.3, 0.3, 0.3], [8.7, 2.7, 6.7]) }],
     ['a solid box', { box: room(3) }],
+    ['a row of cupboards', CLOSED_ROW],
     ['a prism that lies on a side', { prism: PRISM }],
     ['a plate', { plate: CEILING }],
     [
