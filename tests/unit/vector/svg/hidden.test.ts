@@ -12,7 +12,7 @@ const BLANK = {
   ] as [number, number][],
   hollowStrength: 0,
 };
-const PEN = { kind: 'pen', penWidth: 0.2, sheet: [200, 200], margin: 5 } as const;
+const PEN = { kind: 'pen', penWidth: 0.2, sheet: [200, 200], margin: 5, lines: 'canvas' } as const;
 
 const sceneWith = async (source: BufferGeometry, outlines: HatchingOutlineParameters) =>
   sceneOf(await hatchedMesh(source, { outlines, material: BLANK }));
