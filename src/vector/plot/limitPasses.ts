@@ -49,8 +49,8 @@ export function* limitPasses(
   const pens = [...lines.map(penOfLines), ...dots.map(penOfDots)];
   if (pens.length === 0) return { lines, dots };
   const map = new PassMap(width, height, Math.min(...pens));
-  const total = [...lines.map(({ paths }) => paths.length), ...dots.map((layer) => layer.dots.length)];
-  const all = total.reduce((sum, count) => sum + count, 0);
+  const counts = [...lines.map(({ paths }) => paths.length), ...dots.map((layer) => layer.dots.length)];
+  const all = counts.reduce((sum, count) => sum + count, 0);
   let done = 0;
   const left = { lines: [] as PathLayer[], dots: [] as DotLayer[] };
   for (const layer of lines) {
@@ -95,8 +95,9 @@ function freePieces(path: LinePath, pen: number, shortest: number, map: PassMap,
   // A dash is one of many, which look alike.
   if (path.isDash) return 2 * full > places.length ? [] : [path];
   if (full === 0) return [path];
-  const left = bridged(freeSpans(places, isFull, pathLength(path)), pen);
-  const isWhole = left.length === 1 && left[0][0] === 0 && left[0][1] === pathLength(path);
+  const length = pathLength(path);
+  const left = bridged(freeSpans(places, isFull, length), pen);
+  const isWhole = left.length === 1 && left[0][0] === 0 && left[0][1] === length;
   if (isWhole) return [path];
   const kept = left.filter(([from, to]) => to - from >= shortest);
   return piecesOf(path, kept);

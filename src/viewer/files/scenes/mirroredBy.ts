@@ -5,6 +5,8 @@ import { mirroredShare } from 'three-hatching/facts';
 type Surface = Material & {
   metalness?: number;
   roughness?: number;
+  metalnessMap?: unknown;
+  roughnessMap?: unknown;
   color?: Color;
   specular?: Color;
   shininess?: number;
@@ -17,8 +19,10 @@ const METAL = /metal|steel|silver|gold|brass|copper|nickel/i;
 /** The specular reflection and the exponent of its highlight from which on such a metal is polished. */
 const GLOSS = { specular: 0.3, shininess: 50 };
 
-/** How much of a room a material mirrors, from 0 to 1: smooth metal does. */
-export function mirroredBy({ metalness, roughness = 1, name, specular, shininess = 0, map }: Surface): number {
+/** How much of a room a material mirrors, from 0 to 1: smooth metal does. Where a map says what is metal, nothing does. */
+export function mirroredBy(surface: Surface): number {
+  const { metalness, roughness = 1, name, specular, shininess = 0, map } = surface;
+  if (surface.metalnessMap || surface.roughnessMap) return 0;
   if (metalness !== undefined) return mirroredShare({ metalness, roughness });
   if (!specular || map) return 0;
   const isGlossy = Math.max(...specular.toArray()) >= GLOSS.specular && shininess >= GLOSS.shininess;

@@ -32,3 +32,8 @@ test('the colour of polished metal is what it reflects, and that of others stays
   expect(reflectedColor(phong('chrome', 3, 200, dark))?.toArray()).toEqual([1, 1, 1]);
   expect(reflectedColor(phong('paint', 0.8, 200, dark))?.toArray()).toEqual([0.02, 0.03, 0.9]);
 });
+
+test('where a map says what is metal, nothing mirrors', () => {
+  for (const name of ['metalnessMap', 'roughnessMap'] as const)
+    expect(mirroredBy(new MeshStandardMaterial({ metalness: 1, roughness: 0, [name]: new Texture() }))).toBe(0);
+});
