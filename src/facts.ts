@@ -5,7 +5,7 @@
  * @module three-hatching/facts
  */
 
-export { GLASS } from './look/glass.js';
+export { GLASS, paperOfGlass } from './look/glass.js';
 export type {
   HatchingChoice,
   HatchingCondition,

@@ -15,3 +15,7 @@ export const GLASS = {
   colorHatching: 0,
   occlusion: 0,
 } as const;
+
+/** The opacity of the paper of glass that lets through `transmission` of the light. A woodcut has black and paper alone, so its glass is clear. */
+export const paperOfGlass = (technique: string, transmission = 1): number =>
+  technique === 'woodcut' ? 0 : 1 - (1 - GLASS.paperOpacity) * transmission;

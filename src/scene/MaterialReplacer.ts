@@ -1,5 +1,5 @@
 import { type Color, Material, type Mesh } from 'three';
-import { GLASS } from '../look/glass.js';
+import { GLASS, paperOfGlass } from '../look/glass.js';
 import type { HatchingMaterialParameters } from '../material/checkValues.js';
 import { deforms } from '../material/deformation/canDeform.js';
 import type { HatchingComposition } from '../material/groups/HatchingComposition.js';
@@ -117,7 +117,7 @@ function hatchingMaterialFrom(
     Object.assign(
       material,
       GLASS,
-      { paperOpacity: 1 - (1 - GLASS.paperOpacity) * Math.min(transmission, 1) },
+      { paperOpacity: paperOfGlass(material.technique, Math.min(transmission, 1)) },
       parameters.paperOpacity !== undefined && { paperOpacity: parameters.paperOpacity },
     );
 }

@@ -21,7 +21,7 @@ import type {
   SceneExtent,
   TonalArtMap,
 } from 'three-hatching';
-import { GLASS, needsAdjacency } from 'three-hatching/facts';
+import { GLASS, needsAdjacency, paperOfGlass } from 'three-hatching/facts';
 import type {
   HatchingNodeMaterial,
   HatchingOutlineNodeMaterial,
@@ -232,7 +232,7 @@ export class HatchedModel {
         const { isGlass: isClear, blending, premultipliedAlpha } = surfaces[i];
         material.colorWrite = ink !== 'hidden';
         material.toneCurve = ink === 'blank' ? BLANK_CURVE : (shown.look?.[kind]?.toneCurve ?? material.toneCurve);
-        material.paperOpacity = !paper ? 0 : isClear ? GLASS.paperOpacity : 1;
+        material.paperOpacity = !paper ? 0 : isClear ? paperOfGlass(material.technique) : 1;
         // NoBlending makes a near surface overwrite strokes behind it, also in the gaps between its own strokes.
         material.blending = paper || isClear ? blending : NoBlending;
         material.premultipliedAlpha = paper || isClear ? premultipliedAlpha : true;
@@ -410,5 +410,5 @@ function showSurface(material: EitherMaterial, surface: Surface, isShown: boolea
   material.vertexColors = vertexColors;
   material.alphaTest = map ? surface.alphaTest : 0;
   material.metalness = isShown ? surface.metalness : 0;
-  if (surface.isGlass) Object.assign(material, GLASS);
+  if (surface.isGlass) Object.assign(material, GLASS, { paperOpacity: paperOfGlass(material.technique) });
 }

@@ -24,6 +24,11 @@ test('a material with transmission is drawn as glass, a veil of paper before wha
   expect(await hatched({ transmission: 1 }, { paperOpacity: 0.5 })).toMatchObject({ ...GLASS, paperOpacity: 0.5 });
 });
 
+test('glass in a woodcut has no veil, which would be a grey', async () => {
+  const woodcut = { technique: 'woodcut' } as const;
+  expect(await hatched({ transmission: 1 }, woodcut)).toMatchObject({ ...GLASS, paperOpacity: 0 });
+});
+
 test('other materials are not, nor those with a transmissionMap', async () => {
   const opaque = { transparent: false, depthWrite: true, paperOpacity: 1, toneCurve: 'perceptual', occlusion: 1 };
   expect(await hatched({})).toMatchObject(opaque);

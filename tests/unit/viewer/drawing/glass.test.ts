@@ -140,6 +140,9 @@ describe('a shell', () => {
       expect(materialOf(pane).paperOpacity).toBe(0);
       model.show('whole');
       expect(materialOf(pane).paperOpacity).toBe(GLASS.paperOpacity);
+      // A woodcut has no greys.
+      model.apply(lookOf({ ...defaultSettings(), technique: 'woodcut' }));
+      expect(materialOf(pane).paperOpacity).toBe(0);
       model.dispose();
     },
   );
