@@ -93,7 +93,7 @@ export const files: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/mesh/findUpAxis.test.ts',
-      title: 'by the flat side below',
+      title: 'by the flat side below, where models lie on printer beds',
     },
   },
   {

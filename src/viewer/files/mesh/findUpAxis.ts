@@ -11,6 +11,8 @@ const STAND_SHARE = 0.25;
 const DISTINCTNESS = 3;
 /** A model that would be lower than this share of its width may be a relief or a board that hangs on a wall. */
 const LOWEST = 0.4;
+/** A model that would be lower than this share of its length and of its width is a door or a railing that stands upright. */
+const UPRIGHT = 0.2;
 /** A model that is thinner than this share of its length and width is a plate, even though its edges are flat too. */
 const PLATE = 0.25;
 
@@ -46,13 +48,21 @@ export function findUpAxis(
   const tolerance = FLATNESS * Math.max(...size);
   const sides = outerSides(positions, low, high, tolerance);
   const onFeet = axisOfFeet((side, axis) => standsOnFeet(positions, indices, sides, side, axis, size));
-  if (onFeet) return onFeet === usual.up ? undefined : { up: onFeet, on: 'feet' };
+  if (onFeet === usual.up) return undefined;
+  if (onFeet && !wouldLie(size, onFeet)) return { up: onFeet, on: 'feet' };
   if (standsFirmly(positions, indices, usual.up)) return undefined;
   const onSide = axisOfSide(positions, indices, sides, size, usual);
   if (onSide) return { up: onSide, on: 'flat side' };
   // Printers' files have few vehicles, and undersides of all kinds.
   if (usual.liesFlat || !standsFirmly(positions, indices, OTHER[usual.up])) return undefined;
-  return standsOnUnderside(positions, indices, OTHER[usual.up]) ? { up: OTHER[usual.up], on: 'underside' } : undefined;
+  if (wouldLie(size, OTHER[usual.up]) || !standsOnUnderside(positions, indices, OTHER[usual.up])) return undefined;
+  return { up: OTHER[usual.up], on: 'underside' };
+}
+
+/** Whether a model is a plate that would lie flat with an axis up. */
+function wouldLie(size: readonly number[], up: UpAxis): boolean {
+  const height = AXES.findIndex((axis) => up.endsWith(axis));
+  return size[height] < UPRIGHT * Math.min(...size.filter((_, axis) => axis !== height));
 }
 
 /** The up axis of the other half of all programs. */
@@ -103,6 +113,8 @@ function axisOfSide(
     if (shares[best] < DISTINCTNESS * Math.max(...others)) return undefined;
     if (!liesFlat && size[best] < LOWEST * width) return undefined;
   }
+  // Only printers' files are often upside down or on their side.
+  if (!liesFlat) return best === 0 ? undefined : AXES[best];
   const [below, above] = areas[best];
   // A column has two pairs of flat sides and keeps its axis.
   return above > 1.1 * below ? `-${AXES[best]}` : AXES[best];
@@ -160,8 +172,8 @@ function outerSides(
 
 /** The maximum height of a contact vertex above the lowest point, as a share of the model's extent. */
 const CONTACT = 0.005;
-/** The slope of the tilt, 20 degrees in any direction, that a firmly standing model must survive. */
-const TILT = Math.tan((20 * Math.PI) / 180);
+/** The slope of the tilt, 12 degrees in any direction, that a firmly standing model must survive. */
+const TILT = Math.tan((12 * Math.PI) / 180);
 /** Larger meshes are sampled by this many triangles, enough to find the centre. */
 const SAMPLED_TRIANGLES = 250_000;
 /** The directions of tilting. */

@@ -13,6 +13,7 @@ import { GltfBuilder } from '../../../../../tools/modelFiles/GltfBuilder.js';
 import { asciiStl, read } from '../../../../../tools/modelFiles/modelWriters.js';
 
 const Y_UP: UsualUp = { up: 'y', liesFlat: false };
+const PRINTED: UsualUp = { up: 'y', liesFlat: true };
 const Z_UP: UsualUp = { up: 'z', liesFlat: true };
 const standingOf = (geometry: BufferGeometry) =>
   findUpAxis(geometry.getAttribute('position').array, geometry.index?.array ?? null, Y_UP);
@@ -57,9 +58,18 @@ describe('the axis that points up', () => {
     ['-z', cone().rotateX(-quarter)],
     ['-x', cone().rotateZ(quarter)],
     ['x', cone().rotateZ(-quarter)],
-  ])('is %s by the flat side below', (up, geometry) => {
+  ])('is %s by the flat side below, where models lie on printer beds', (up, geometry) => {
+    expect(upOf(geometry, PRINTED)).toBe(up);
+    expect(upOf(geometry.toNonIndexed(), PRINTED)).toBe(up);
+  });
+
+  test.each([
+    ['z', 'z', cone().rotateX(quarter)],
+    ['z, though it is above', 'z', cone().rotateX(-quarter)],
+    ['that of the format, though it is above', 'y', cone().rotateX(Math.PI)],
+    ['that of the format, though it is to the left', undefined, cone().rotateZ(quarter)],
+  ])('is elsewhere by the flat side %s', (_, up, geometry) => {
     expect(upOf(geometry)).toBe(up);
-    expect(upOf(geometry.toNonIndexed())).toBe(up);
   });
 
   test('is told with what the model stands on', () => {
@@ -108,6 +118,18 @@ describe('the axis that points up', () => {
     ]);
     expect(upOf(posts)).toBeUndefined();
     expect(upOf(posts, Z_UP)).toBe('y');
+  });
+
+  test('is not by the brackets of a railing, which would lie on them', () => {
+    const bracketed = (depth: number) =>
+      mergeGeometries([
+        new BoxGeometry(2, 1, depth),
+        ...[-0.8, 0.8].flatMap((x) =>
+          [-0.4, 0.4].map((y) => new BoxGeometry(0.1, 0.1, 0.1).translate(x, y, -depth / 2 - 0.05)),
+        ),
+      ]);
+    expect(upOf(bracketed(0.4))).toBe('z');
+    expect(upOf(bracketed(0.05))).toBeUndefined();
   });
 
   test('is not by contacts out of line', () => {
