@@ -45,10 +45,8 @@ export interface OcclusionScene {
   sampleNormals: Float32Array<ArrayBuffer>;
   /** For each sample within a triangle the number of its stand-in, after those of vertices. */
   standsFor: Uint32Array<ArrayBuffer>;
-  /** For each stand-in the sample of the vertex whose occlusion it has if that vertex is buried in a body. */
+  /** For each stand-in the sample of the vertex beside which it counts, or in place of which if that is buried in a body. */
   standIns: Uint32Array<ArrayBuffer>;
-  /** For each stand-in 1 if it is of a large triangle and counts beside its vertex, too, or else 0. */
-  areLarge: Uint8Array<ArrayBuffer>;
   /**
    * Two sums for each sample of a vertex, then for each stand-in: the cosines of all directions so far, and the cosines of those in which
    * the sky is visible.

@@ -94,9 +94,9 @@ const BURIED = 0.9;
 
 /**
  * The occlusion of a sample of a vertex: the share of the directions above it in which the sky is hidden, weighted by their cosines. A stand-in
- * of large triangles counts beside its vertex. A vertex that is buried in a body has the occlusion of its stand-in, which is seen.
+ * counts beside its vertex. A vertex that is buried in a body has the occlusion of its stand-in, which is seen.
  */
-function occlusionIn({ sums, standIns, areLarge, samplePositions, standsFor }: OcclusionScene): OcclusionAt {
+function occlusionIn({ sums, standIns, samplePositions, standsFor }: OcclusionScene): OcclusionAt {
   const hiddenAt = (...samples: readonly number[]): number => {
     let [above, visible] = [0, 0];
     for (const sample of samples) {
@@ -112,7 +112,7 @@ function occlusionIn({ sums, standIns, areLarge, samplePositions, standsFor }: O
     const i = ofVertices.get(sample);
     if (i === undefined) return own;
     const within = vertices + i;
-    const seen = areLarge[i] === 1 ? hiddenAt(sample, within) : own;
+    const seen = hiddenAt(sample, within);
     return seen + Math.max(0, (own - BURIED) / (1 - BURIED)) * (hiddenAt(within) - seen);
   };
 }

@@ -24,14 +24,11 @@ interface SamplesWithin {
   standsFor: number[];
   /** For each stand-in the sample of its vertex. */
   standIns: number[];
-  /** For each stand-in whether it is of a large triangle. */
-  areLarge: boolean[];
 }
 
 /**
- * Chooses samples within triangles, as stand-ins for their corners. Those of large flat triangles count beside the corners: measured at these
- * alone, a floor would be dark all over if they lie in shade. Those of long triangles, flat or slender, count where a corner is buried: a rod or a
- * wall whose ends lie in other bodies would be black.
+ * Chooses samples within triangles that are large, or long and flat or slender, as stand-ins for their corners. Measured at the corners alone, a
+ * floor would be dark all over if they lie in shade, and a rod or a wall whose ends lie in other bodies would be black.
  *
  * @param meshes those with normals
  * @param scene with the samples of vertices
@@ -44,20 +41,18 @@ export function* samplesWithin(
     sampleOf,
     backAfter,
     views,
-  }: Omit<OcclusionScene, 'standsFor' | 'standIns' | 'areLarge' | 'sums'>,
+  }: Omit<OcclusionScene, 'standsFor' | 'standIns' | 'sums'>,
 ): Generator<number, SamplesWithin, void> {
   const [{ radius }] = views;
   const vertices = positions.length / 3;
-  const found: SamplesWithin = { within: [], standsFor: [], standIns: [], areLarge: [] };
+  const found: SamplesWithin = { within: [], standsFor: [], standIns: [] };
   const ofVertices = new Map<number, number>();
-  const standInOf = (vertex: number, isLarge: boolean): number => {
+  const standInOf = (vertex: number): number => {
     let standIn = ofVertices.get(vertex);
     if (standIn === undefined) {
       standIn = found.standIns.push(vertex) - 1;
       ofVertices.set(vertex, standIn);
-      found.areLarge.push(false);
     }
-    found.areLarge[standIn] ||= isLarge;
     return vertices + standIn;
   };
   let left = Math.max(vertices, MOST_LONG);
@@ -70,7 +65,7 @@ export function* samplesWithin(
       const isLarge = area > LARGE * radius ** 2;
       const length = squaredLength(positions, indices, first);
       if (!isLarge && !(left > 0 && area > 0 && length > (LONG * radius) ** 2)) continue;
-      const least = length > SLENDER * area && !isLarge ? STRAIGHT : FLAT;
+      const least = length > SLENDER * area ? STRAIGHT : FLAT;
       const sum = (term: (k: number) => number) => term(0) + term(1) + term(2);
       const corners = indices.subarray(first, first + 3);
       const isAlong = (corner: number) =>
@@ -84,7 +79,7 @@ export function* samplesWithin(
               const at = (sample: number) => positions[3 * (sample + side) + axis];
               found.within.push(share * at(corner) + ((1 - share) / 3) * sum((k) => at(corners[k])));
             }
-            found.standsFor.push(standInOf(corner + side, isLarge));
+            found.standsFor.push(standInOf(corner + side));
           }
         }
       }

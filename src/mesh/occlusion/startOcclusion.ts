@@ -85,7 +85,7 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
       }
     }
   }
-  const { within, standsFor, standIns, areLarge } = yield* samplesWithin(
+  const { within, standsFor, standIns } = yield* samplesWithin(
     meshes.filter(({ normals }) => normals !== null),
     { ...scene, views },
   );
@@ -96,7 +96,6 @@ export function* startOcclusion({ meshes }: { meshes: OcclusionMesh[] }): Genera
     sampleNormals: joined(Float32Array, [scene.sampleNormals, pick(scene.sampleNormals, Uint32Array.from(standIns))]),
     standsFor: Uint32Array.from(standsFor),
     standIns: Uint32Array.from(standIns),
-    areLarge: Uint8Array.from(areLarge, Number),
     sums: new Float32Array(2 * (firstOfBack + standIns.length)),
     views,
   };

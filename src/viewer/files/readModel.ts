@@ -181,7 +181,7 @@ async function readMain(
   }
   onStage('looking over the triangles');
   const { merged, toMesh, wanted } = mergedOf(content, parsed.notes);
-  const { mesh: distinct, duplicates } = dropDuplicates(merged);
+  const { mesh: distinct, duplicates } = dropDuplicates(merged, !isTurned);
   const { mesh: whole, broken } = cleanMesh(distinct);
   const { mesh: oriented, changes: faced } = isTurned ? facingRight(whole, onStage) : { mesh: whole, changes: [] };
   onStage('looking for the ground');

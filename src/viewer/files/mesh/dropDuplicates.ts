@@ -1,10 +1,10 @@
 import { type PictureRange, type PlainMesh, triangleCount } from './PlainMesh.js';
 
 /**
- * Below this share of the triangles, duplicates stay: they cost little, and in scans some lie next to triangles of opposite winding, where
- * the majority decides which side is outside.
+ * Below this share of the triangles, duplicates stay: in scans some lie next to triangles of opposite winding, where the majority decides which
+ * side is outside. More of them look like edges at which surfaces end, and have outlines.
  */
-const HARMLESS_SHARE = 0.1;
+const HARMLESS_SHARE = 0.02;
 /** Large meshes are tested by one triangle in this many first. */
 const SAMPLE = 16;
 const FEW = 100_000;
@@ -13,11 +13,13 @@ const FEW = 100_000;
  * Leaves out duplicate triangles: same corners, winding, colours and pictures. Thousands of them in one place would occupy a graphics card
  * for a minute without any visible effect.
  *
+ * @param isSided whether triangles of opposite winding differ; false where surfaces are drawn from both sides, so that a sheet with a copy
+ * for its back is drawn once
  * @returns the mesh, with the first of each, and the number left out
  */
-export function dropDuplicates(mesh: PlainMesh): { mesh: PlainMesh; duplicates: number } {
+export function dropDuplicates(mesh: PlainMesh, isSided = true): { mesh: PlainMesh; duplicates: number } {
   const total = triangleCount(mesh);
-  const corners = new Corners(mesh);
+  const corners = new Corners(mesh, isSided);
   if (total > FEW) {
     const { looked, kept } = distinct(mesh, corners, SAMPLE);
     // If far fewer were tested than expected, the sample may have missed many copies of one triangle.
@@ -75,6 +77,8 @@ function distinct(
   return { looked, kept: kept.subarray(0, length), ranges };
 }
 
+const mixed = (hash: number, next: number): number => Math.imul(hash ^ next, 0x85ebca6b) ^ (hash >>> 13);
+
 /** The corners of a mesh, compared by everything that is drawn of them. */
 class Corners {
   private readonly indices: Uint32Array | null;
@@ -83,7 +87,10 @@ class Corners {
   /** The bits of each attribute, and its components per vertex. */
   private readonly values: readonly { bits: Uint32Array; size: number }[];
 
-  constructor({ positions, colors, uvs, indices }: PlainMesh) {
+  constructor(
+    { positions, colors, uvs, indices }: PlainMesh,
+    private readonly isSided: boolean,
+  ) {
     this.indices = indices;
     const bits = (values: Float32Array): Uint32Array =>
       new Uint32Array(values.buffer, values.byteOffset, values.length);
@@ -129,16 +136,20 @@ class Corners {
   }
 
   hashOf(corner: number, turn: number): number {
-    let hash = 0;
-    for (let k = 0; k < 3; k++)
-      hash = Math.imul(hash ^ this.hashes[this.vertexAt(corner + ((turn + k) % 3))], 0x85ebca6b) ^ (hash >>> 13);
+    const hashAt = (k: number): number => this.hashes[this.vertexAt(corner + ((turn + k) % 3))];
+    const [second, third] = [hashAt(1), hashAt(2)];
+    const isReversed = !this.isSided && third < second;
+    let hash = mixed(0, hashAt(0));
+    hash = mixed(hash, isReversed ? third : second);
+    hash = mixed(hash, isReversed ? second : third);
     return hash ^ (hash >>> 16);
   }
 
   /** Whether a kept triangle equals the one that begins at a corner. */
   areEqual(kept: Uint32Array, at: number, corner: number, turn: number): boolean {
-    for (let k = 0; k < 3; k++) if (!this.areSame(kept[at + k], this.vertexAt(corner + ((turn + k) % 3)))) return false;
-    return true;
+    const isAt = (k: number, place: number): boolean =>
+      this.areSame(kept[at + k], this.vertexAt(corner + ((turn + place) % 3)));
+    return isAt(0, 0) && ((isAt(1, 1) && isAt(2, 2)) || (!this.isSided && isAt(1, 2) && isAt(2, 1)));
   }
 
   private areSame(a: number, b: number): boolean {

@@ -217,6 +217,16 @@ describe('a rod', () => {
     expect(mean(values)).toBeGreaterThan(0.005);
   });
 
+  test('that is a wide blade, slightly bent, is lit too', () => {
+    // Its normals deviate from those of its triangles, which are large.
+    const blade = meshOf(new CylinderGeometry(0.4, 0.4, 2, 6, 1, true, 0, Math.PI));
+    const [values] = bakeOf(
+      [blade, ...balls().map((ball) => ({ ...ball, toWorld: new Matrix4().makeScale(2, 1, 2).toArray() }))],
+      24,
+    ).occlusions;
+    expect(largest(values)).toBeLessThan(0.6);
+  });
+
   test('that is drawn from both sides is lit outside, and dark within', () => {
     const both = meshOf(new CylinderGeometry(0.05, 0.05, 2, 12, 1, true), { sides: 'both' });
     const scene = finish(startOcclusion({ meshes: [both, ...balls()] }));
@@ -225,12 +235,12 @@ describe('a rod', () => {
     expect(Math.min(...sideOf(values, true))).toBeGreaterThan(0.9);
   });
 
-  test('that lies in a body as a whole is dark, and one with free ends goes by these', () => {
+  test('that lies in a body as a whole is dark, and one with free ends is hardly darker where it passes a ring', () => {
     const [within] = bakeOf([rod(), meshOf(new BoxGeometry(1, 3, 1))], 24).occlusions;
     expect(Math.min(...within)).toBeGreaterThan(0.98);
     const ring = meshOf(new TorusGeometry(0.12, 0.06, 12, 24).rotateX(Math.PI / 2));
     const [free] = bakeOf([rod(), ring], 24).occlusions;
-    expect(largest(free)).toBeLessThan(0.02);
+    expect(largest(free)).toBeLessThan(0.15);
   });
 });
 
