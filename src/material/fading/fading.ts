@@ -2,7 +2,8 @@ import { type Camera, type IUniform, type Object3D, Vector3, Vector4, type WebGL
 import { isUsedBy, propertyOf } from '../../look/queries.js';
 import type { HatchingCompositionProperties } from '../groups/ownedProperties.js';
 import type { HatchingMaterialProperties } from '../HatchingMaterialProperties.js';
-import { automaticDepthFade, type SeenDepths } from './seenDepths.js';
+import { automaticDepthFade } from './automaticDepthFade.js';
+import type { SeenDepths } from './seenDepths.js';
 
 type Uniforms = Record<string, IUniform>;
 

@@ -14,7 +14,7 @@ const FETCH = {
   lines: (): Imports => [import('./lines.js')],
   handStrokes: (): Imports => [import('./lines.js'), import('./handStrokes.js')],
   woodcut: (): Imports => [import('./lines.js'), import('./woodcut.js')],
-  perTriangle: (): Imports => [import('./perTriangle.js')],
+  perTriangle: (): Imports => [import('./strokes.js'), import('./perTriangle.js')],
 };
 
 type TechniquePart = keyof typeof FETCH;

@@ -22,6 +22,7 @@ const files: ShaderFiles = import.meta.glob(
     './hatching.*',
     './{chunks,environment,shadowMaps}/*',
     '!./chunks/{dryMedia,tooth,handStrokes,lineCoverage,meanLight,metal,softShadows,shadowSearch}.glsl',
+    '!./chunks/{ink,largestComponents,levelByDepth,lightOrientation,thresholdMap}.glsl',
     './perFragment/*',
     '!./perFragment/screenGradient.glsl',
   ],

@@ -1,6 +1,7 @@
 import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { automaticDepthFade, type SeenBox, seenBox } from '../../../../src/material/fading/seenDepths.js';
+import { automaticDepthFade } from '../../../../src/material/fading/automaticDepthFade.js';
+import { type SeenBox, seenBox } from '../../../../src/material/fading/seenDepths.js';
 
 const NOWHERE = new Matrix4();
 
