@@ -13,6 +13,7 @@ uniform float inked; // 0 while strokes have no map
 
 varying vec3 vViewPosition;
 #include "occlusion"
+#include "plainColor"
 
 #include <common>
 #include "packing"
@@ -68,13 +69,19 @@ void main() {
   vec3 totalEmissiveRadiance = emissiveIntensity * emissive;
   #include <emissivemap_fragment>
 
+  #ifdef PLAIN_COLOR
+    float darkness = vDarkness;
+  #else
+    float darkness = localDarkness(toned, totalEmissiveRadiance);
+  #endif // PLAIN_COLOR
+
   #include <normal_fragment_begin>
   #if TONE_NORMAL == TONE_NORMAL_SMOOTH
     #include <normal_fragment_maps>
   #endif // TONE_NORMAL
   HatchingSurface material = HatchingSurface(
     normal, readToneNormals(normal, faceDirection), PerToneNormal(0.0), PerToneNormal(0.0),
-    localDarkness(toned, totalEmissiveRadiance), planeness(normal)
+    darkness, planeness(normal)
   );
   #ifdef DISSOLVES_SHADOWS
     readSoftShadows(-vViewPosition);

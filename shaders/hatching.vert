@@ -7,6 +7,7 @@
 
 varying vec3 vViewPosition;
 #include "occlusion"
+#include "plainColor"
 
 #include <common>
 #include <batching_pars_vertex>
@@ -20,6 +21,13 @@ varying vec3 vViewPosition;
 #include <logdepthbuf_pars_vertex>
 #include <clipping_planes_pars_vertex>
 
+#ifdef PLAIN_COLOR
+  uniform vec3 diffuse;
+  uniform vec3 emissive;
+  uniform float emissiveIntensity;
+  #include "lightness"
+  #include "localDarkness"
+#endif // PLAIN_COLOR
 #include "hatchNormal"
 #include "unitsPerPixel"
 #include "technique/vertex"
@@ -43,6 +51,9 @@ void main() {
   vViewPosition = -mvPosition.xyz;
 
   #include "emitOcclusion"
+  #ifdef PLAIN_COLOR
+    vDarkness = localDarkness(diffuse, emissiveIntensity * emissive);
+  #endif // PLAIN_COLOR
 
   #include <worldpos_vertex>
   #include <shadowmap_vertex>

@@ -4,7 +4,11 @@
 float fading = 1.0;
 
 void computeFading() {
-  fading = fadingAt(-vViewPosition, gl_FragCoord.xy);
+  #ifdef FADES_AROUND
+    fading = fadingAt(-vViewPosition, gl_FragCoord.xy);
+  #else
+    fading = importance * (1.0 - depthFading.z * airBefore(-vViewPosition));
+  #endif // FADES_AROUND
 }
 
 // A tone, faded.

@@ -5,6 +5,7 @@ import { isMirror } from '../look/mirrors.js';
 import { familyOf } from '../look/presetParameters.js';
 import { drawnValue, type HatchingLook, hasOwner, needsAdjacency } from '../look/queries.js';
 import { VERTEX_LAYOUTS, type VertexLayout } from './deformation/canDeform.js';
+import { fadesAround } from './fading/fading.js';
 import type { ToneCurve } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import { CHANNEL_VARYINGS, channelDefine, SHADOWS_ALONE, TONE_CURVES } from './shaders/defineNames.js';
@@ -63,6 +64,7 @@ export function programDefines(
   defines.USE_UV0 = usesFirstChannel ? '' : undefined;
   // Strokes that are sized on the object alone need one lattice and no code for a second.
   defines.SCREEN_SPACE_SHARE = familyOf(technique) === 'strokes' && screenSpaceShare > 0 ? '' : undefined;
+  defines.FADES_AROUND = fadesAround(material) ? '' : undefined;
   return defines;
 }
 
@@ -88,8 +90,8 @@ export function writeDefines(
 
 /**
  * The properties that three.js reads for a program only after `needsUpdate` is set, packed into one number: the textures and their
- * channels, whether strokes are sized on the screen and metal mirrors, sides, vertex colours and the like. If the number changes, the program must be
- * rebuilt. Allocates nothing.
+ * channels, whether strokes are sized on the screen, metal mirrors and ink fades around a focus or towards the rim, sides, vertex colours
+ * and the like. If the number changes, the program must be rebuilt. Allocates nothing.
  */
 export function programSwitches(material: HatchingMaterialProperties & { normalMapType: number }): number {
   let switches: number = material.normalMapType;
@@ -99,7 +101,8 @@ export function programSwitches(material: HatchingMaterialProperties & { normalM
   }
   switches = 32 * switches + 8 * material.side + material.blending;
   for (let i = 0; i < FLAGS.length; i++) switches = 2 * switches + Number(material[FLAGS[i]]);
-  return 4 * switches + 2 * Number(isMirror(material)) + Number(material.screenSpaceShare > 0);
+  switches = 4 * switches + 2 * Number(isMirror(material)) + Number(material.screenSpaceShare > 0);
+  return 2 * switches + Number(fadesAround(material));
 }
 
 /** Properties of three's `Material` that decide the program. */

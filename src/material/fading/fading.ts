@@ -23,6 +23,10 @@ export const createFadingUniforms = (): Uniforms => ({
 export const takesWeight = (look: FadingLook | null): look is FadingLook =>
   look !== null && isUsedBy(look.technique, propertyOf('depthFade'));
 
+/** Whether ink fades around a focus or towards the rim of the sheet. Allocates nothing. */
+export const fadesAround = (look: FadingLook): boolean =>
+  (look.composition.vignette !== 0 || look.composition.focus !== null) && takesWeight(look);
+
 /**
  * Writes the uniforms of a frame. Allocates nothing.
  *

@@ -1,4 +1,4 @@
-/** From light to the printed tone, as in tone.glsl, toneCurve.glsl, occlude.glsl and localColor.glsl. */
+/** From light to the printed tone, as in tone.glsl, toneCurve.glsl, occlude.glsl and localDarkness.glsl. */
 import { TONE_CONSTANTS } from '../../look/constants/shadingConstants.js';
 import { clamp01, lightness, mix, smoothstep, type Vec3 } from '../../look/vectors.js';
 
@@ -87,7 +87,7 @@ export function shadedTone(
   return mix(tone, toneEnds[1] >= toneEnds[0] ? 1 : 0, hollowness);
 }
 
-/** The numbers that colours become darkness by, as in localColor.glsl. */
+/** The numbers that colours become darkness by, as in localDarkness.glsl. */
 export interface ColorTones {
   /** The share of the darkness that becomes tone. */
   colorHatching: number;

@@ -79,7 +79,7 @@ export const tone: readonly Mutation[] = [
   },
   {
     name: 'colours darken by their luminance',
-    file: 'shaders/chunks/localColor.glsl',
+    file: 'shaders/chunks/localDarkness.glsl',
     find: 'float light = lightness(y.x)',
     replace: 'float light = y.x',
     caughtBy: {

@@ -9,6 +9,7 @@ import {
   ShaderLib,
   Texture,
   Vector2,
+  Vector3,
 } from 'three';
 import { afterEach, describe, expect, test, vi } from 'vitest';
 import { HATCHING_PROPERTIES } from '../../../src/look/hatchingProperties.js';
@@ -294,6 +295,20 @@ describe('HatchingMaterial', () => {
     expect(programSwitches(Object.assign(material, { screenSpaceShare: 0.4 }))).not.toBe(
       programSwitches(new HatchingMaterial({ technique: 'hatching', screenSpaceShare: 0 })),
     );
+  });
+
+  test('a vignette or a focus that is not there is not in the program, and all that are there share one', () => {
+    const material = new HatchingMaterial();
+    const programWith = (vignette: number, focus: Vector3 | null): [isDefined: boolean, switches: number] => {
+      Object.assign(material.composition, { vignette, focus });
+      material.customProgramCacheKey();
+      return ['FADES_AROUND' in material.defines, programSwitches(material)];
+    };
+    const [isDefined, switches] = programWith(0, null);
+    expect(isDefined).toBe(false);
+    expect(programWith(0.5, null)).toEqual([true, switches + 1]);
+    expect(programWith(1, new Vector3())).toEqual(programWith(0, new Vector3()));
+    expect(programWith(1, new Vector3())).toEqual([true, switches + 1]);
   });
 
   test('reads thresholds only where they are drawn', () => {
