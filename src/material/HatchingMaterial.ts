@@ -45,7 +45,6 @@ import {
   createHatchingUniforms,
   MESH_UNIFORMS,
   writeComputedUniforms,
-  writeCurveUniforms,
   writeMapUniforms,
   writePropertyUniforms,
   writeSizeUniforms,
@@ -61,6 +60,7 @@ import { plainShaders } from './shaders/plainShaders.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 import { defineRigid, keepHooks, RendererKind } from './three/hooks.js';
 import { MeshUniforms } from './three/MeshUniforms.js';
+import { disposeTable, writeCurveUniforms } from './toneCurveTable.js';
 
 /** Properties beside those of the table that three.js copies in `ShaderMaterial.copy`. */
 // biome-ignore format: one line
@@ -360,6 +360,11 @@ export class HatchingMaterial extends PropertyFields {
     this.writeUniforms();
     this.needsUpdate = true;
     return this;
+  }
+
+  override dispose(): void {
+    super.dispose();
+    disposeTable(this.uniforms.toneCurveTable);
   }
 
   /** The JSON of three's own materials, and every property that is not at its default. The tonal art map is left out. */

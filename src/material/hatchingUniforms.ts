@@ -19,7 +19,7 @@ import { hasOwner, runsAway } from '../look/queries.js';
 import { axisAngle } from '../look/vectors.js';
 import { isFitted, LUMINANCE, writeFilter } from './exposure/ToneFit.js';
 import { createFadingUniforms } from './fading/fading.js';
-import { curveEnds, fittedCurve, type ToneCurve } from './fitToneCurve.js';
+import { curveEnds } from './fitToneCurve.js';
 import type { HatchingMaterialProperties } from './HatchingMaterialProperties.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 
@@ -73,9 +73,7 @@ export function createHatchingUniforms(): Uniforms {
       strokeTransform: { value: new Matrix3() },
       texelPixels: { value: 1 },
       mapBlur: { value: 0 },
-      toneCurveCubics: { value: null },
-      toneCurveSpans: { value: null },
-      toneCurveStart: { value: 0 },
+      toneCurveTable: { value: null },
       toneEnds: { value: new Vector2(0, 1) },
       valueBends: { value: new Vector4() },
       valueKnots: { value: new Vector4() },
@@ -269,13 +267,4 @@ export function writeComputedUniforms(material: HatchingMaterialProperties, u: U
     -Math.sin(crossAngle / 2),
     Math.cos(crossAngle / 2),
   );
-}
-
-/** Writes the uniforms of a tone curve through points; a curve that the shader computes changes nothing. */
-export function writeCurveUniforms(curve: ToneCurve, u: Uniforms): void {
-  const fitted = fittedCurve(curve);
-  if (!fitted) return;
-  u.toneCurveStart.value = fitted.start;
-  u.toneCurveSpans.value = fitted.spans;
-  u.toneCurveCubics.value = fitted.cubics;
 }

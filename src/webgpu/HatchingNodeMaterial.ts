@@ -48,7 +48,6 @@ import { propertiesToJSON } from '../material/hatchingJSON.js';
 import {
   createHatchingUniforms,
   writeComputedUniforms,
-  writeCurveUniforms,
   writeMapUniforms,
   writePropertyUniforms,
   writeSizeUniforms,
@@ -60,6 +59,7 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { type HatchingMap, withVectors } from '../material/propertyValues.js';
 import { TONE_CURVES } from '../material/shaders/defineNames.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
+import { disposeTable, writeCurveUniforms } from '../material/toneCurveTable.js';
 import { maxTextureSize, warnOnce } from './deviceLimits.js';
 import { dotLayerOf, exposureReady, patternReady, writeExposure, writePattern } from './fetchedCode.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
@@ -129,6 +129,8 @@ export class HatchingNodeMaterial extends NodeMaterial {
   private composed = new HatchingComposition();
   private readonly ofTriangles = new PerTriangle(() => {});
   private curve: ToneCurve | undefined;
+  /** The curve that was written last. */
+  private writtenCurve: ToneCurve | undefined;
   /** The frame in which the uniforms were last written. */
   private readonly written = new FrameStamp();
   /** Whether the nodes were built for metal that mirrors the room. */
@@ -188,6 +190,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   set toneCurve(value: ToneCurve) {
     fittedCurve(value);
     this.curve = value;
+    this.writtenCurve = undefined;
     this.needsUpdate = true;
   }
 
@@ -302,7 +305,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     writeMapUniforms(map, usesThresholds(this), u);
     const hasPattern = writePattern(this, u, this.renew);
     u.inked.value = Number(hasPattern && (map !== null || !needsMap(this)));
-    writeCurveUniforms(this.toneCurve, u);
+    this.writeCurve();
     writeComputedUniforms(look, u);
     writeFading(look, u, renderer, camera);
     writeExposure(look, renderer, scene, camera, u);
@@ -312,9 +315,22 @@ export class HatchingNodeMaterial extends NodeMaterial {
     writePartUniforms(camera, viewport, u);
   }
 
+  /** Writes the tone curve, once after it was set. */
+  private writeCurve(): void {
+    const { toneCurve } = this;
+    if (toneCurve === this.writtenCurve) return;
+    writeCurveUniforms(toneCurve, this.uniforms);
+    this.writtenCurve = toneCurve;
+  }
+
+  override dispose(): void {
+    super.dispose();
+    disposeTable(this.uniforms.toneCurveTable);
+  }
+
   /** Builds nodes for the current choices. @internal */
   override setup(builder: NodeBuilder): void {
-    writeCurveUniforms(this.toneCurve, this.uniforms);
+    this.writeCurve();
     this.isBuiltAsMirror = isMirror(this);
     super.setup(builder);
   }

@@ -104,6 +104,7 @@ export const OFFERS = {
     'fieldFrameName.ts',
     'mapInUse.ts',
     'fitToneCurve.ts',
+    'toneCurveTable.ts',
     'FrameStamp.ts',
     'HatchingBackground.ts',
     'hatchingJSON.ts',

@@ -9,8 +9,8 @@ import { HATCHING_PROPERTIES } from '../../look/hatchingProperties.js';
 import { cornerLayout } from '../../mesh/bake/attributeLayouts.js';
 import { OCCLUSION_LEVELS } from '../../mesh/occlusion/occlusionSides.js';
 import { VERTEX_LAYOUTS } from '../deformation/canDeform.js';
-import { TONE_CURVE_SPANS } from '../fitToneCurve.js';
 import { lightCountDefines } from '../three/lightKinds.js';
+import { TONE_CURVE_TEXELS } from '../toneCurveTable.js';
 import { channelDefine, SHADOWS_ALONE, TONE_CURVES } from './defineNames.js';
 import { definesOf } from './shaderText.js';
 
@@ -26,8 +26,8 @@ export const conventionsChunk = (): string =>
     ...numbered('TONE_CURVE', TONE_CURVES),
     `#define TONE_MODEL_SHADOW ${SHADOWS_ALONE}`,
     ...numbered('VERTEX_LAYOUT', VERTEX_LAYOUTS),
-    definesOf({ ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...FADING_CONSTANTS, ...OCCLUSION_LEVELS }),
-    definesOf({ TONE_CURVE_SPANS, ...SHADOW_SAMPLES }, ''),
+    definesOf({ ...TONE_CONSTANTS, ...SHADOW_CONSTANTS, ...FADING_CONSTANTS, ...OCCLUSION_LEVELS, TONE_CURVE_TEXELS }),
+    definesOf({ ...SHADOW_SAMPLES }, ''),
     lightCountDefines(),
   ].join('\n');
 

@@ -2,10 +2,10 @@ import type { Mutation } from '../Mutation.js';
 
 export const nodes: readonly Mutation[] = [
   {
-    name: 'the spline of nodes has no cubes',
+    name: 'nodes leave tone curves of points out',
     file: 'src/webgpu/nodes/chunks/tone.ts',
-    find: 'b.add(t.mul(c))',
-    replace: 'b',
+    find: "kind === 'points' ? tabledTone(tone) : tone",
+    replace: 'tone',
     caughtBy: {
       layer: 'webgpu',
       file: 'tests/webgpu/reference.spec.ts',

@@ -68,9 +68,9 @@ export const tone: readonly Mutation[] = [
   },
   {
     name: 'the curve of points has no cubes',
-    file: 'shaders/chunks/toneCurve.glsl',
-    find: '(c.y + t * c.z)',
-    replace: 'c.y',
+    file: 'src/material/toneCurveTable.ts',
+    find: '(cubics[3 * i + 1] + t * cubics[3 * i + 2])',
+    replace: 'cubics[3 * i + 1]',
     caughtBy: {
       layer: 'gpu',
       file: 'tests/gpu/anchored.spec.ts',

@@ -3,6 +3,7 @@ import {
   BufferAttribute,
   type BufferGeometry,
   Color,
+  DataUtils,
   DoubleSide,
   Mesh,
   ShaderChunk,
@@ -244,7 +245,8 @@ describe('HatchingMaterial', () => {
     material.toneCurve = points;
     expect(material.version).toBe(version + 1);
     expect(material.toneCurve).toBe(points);
-    expect(material.uniforms.toneCurveStart.value).toBe(0.1);
+    const { data } = material.uniforms.toneCurveTable.value.image;
+    expect([data[0], data.at(-1)].map(DataUtils.fromHalfFloat)).toEqual([expect.closeTo(0.1, 3), 1]);
     material.toneCurve = 'perceptual';
     expect(material.version).toBe(version + 2);
   });
@@ -394,7 +396,7 @@ describe('HatchingMaterial', () => {
     expect(clone.composition).toBe(source.composition);
     expect(clone.uniforms).not.toBe(source.uniforms);
     expect(clone.uniforms.tonalArtMap.value).toBe(map.texture);
-    expect(clone.uniforms.toneCurveCubics.value).toEqual(source.uniforms.toneCurveCubics.value);
+    expect(clone.uniforms.toneCurveTable.value.image.data).toEqual(source.uniforms.toneCurveTable.value.image.data);
     clone.technique = 'adjacency';
     clone.ink.set('red');
     expect(source.technique).toBe('triangle');

@@ -39,10 +39,6 @@ export function hatchingUniform(name: string, type: UniformType): Value {
   return uniform;
 }
 
-/** An element of an array uniform. */
-export const hatchingElement = (name: string, index: number): Value =>
-  materialReference(`uniforms.${name}.value.${index}`, 'float') as unknown as Value;
-
 /** A material with uniforms named as in GLSL. */
 type WithUniforms = Material & { uniforms?: Record<string, IUniform> };
 

@@ -1,16 +1,16 @@
 /** From radiance and colour of a surface to its tone. */
 import { TONE_CONSTANTS } from '../../../look/constants/shadingConstants.js';
-import { TONE_CURVE_SPANS } from '../../../material/fitToneCurve.js';
 import { TONE_CURVES } from '../../../material/shaders/defineNames.js';
+import { blankTable, TONE_CURVE_TEXELS } from '../../../material/toneCurveTable.js';
 import type { ReceivedShadow } from '../base/lights.js';
 import { lightLuminance } from '../base/maths.js';
-import { hatchingElement, hatchingUniform } from '../base/uniforms.js';
+import { hatchingTexture, hatchingUniform } from '../base/uniforms.js';
 import { type TextureValue, tsl, type Value } from '../base/values.js';
 import { mirroredRoom, mirroredShare } from './metal.js';
 import { hollowness, openToSky } from './occlusion.js';
 import { shadowTone } from './softShadows.js';
 
-const { clamp, dot, float, floor, max, min, mix, pow, select, step, vec3 } = tsl;
+const { clamp, dot, float, floor, max, min, mix, pow, select, step, vec2, vec3 } = tsl;
 const { NO_LIGHT, OPAQUE_TEXEL } = TONE_CONSTANTS;
 
 /** The lighting of a surface at a fragment. */
@@ -108,26 +108,29 @@ export const lightness = (y: Value): Value =>
 
 /** Counterpart of shaders/chunks/toneCurve.glsl: from the tone of the light to the printed tone. */
 
-/** A monotone cubic spline: a start value, and the rise over each span. Unused spans add nothing. */
-function splineAt(tone: Value): Value {
-  const curved = hatchingUniform('toneCurveStart', 'float').toVar();
-  for (let i = 0; i < TONE_CURVE_SPANS; i++) {
-    const span = [0, 1].map((k) => hatchingElement('toneCurveSpans', 2 * i + k));
-    const [a, b, c] = [0, 1, 2].map((k) => hatchingElement('toneCurveCubics', 3 * i + k));
-    const t = clamp(tone.sub(span[0]).mul(span[1]), 0, 1).toVar();
-    curved.addAssign(t.mul(a.add(t.mul(b.add(t.mul(c))))));
-  }
-  return curved;
-}
+const toneCurveTable = /* @__PURE__ */ hatchingTexture('toneCurveTable', /* @__PURE__ */ blankTable());
+
+const tabledTone = (tone: Value): Value =>
+  toneCurveTable
+    .sample(
+      vec2(
+        tone
+          .mul(TONE_CURVE_TEXELS - 1)
+          .add(0.5)
+          .div(TONE_CURVE_TEXELS),
+        0.5,
+      ),
+    )
+    .level(0).x;
 
 /** @param curve index among `TONE_CURVES` */
 export function curvedTone(tone: Value, curve: number): Value {
   const kind = TONE_CURVES[curve];
   if (kind === 'perceptual') return lightness(tone.oneMinus()).oneMinus();
-  return kind === 'points' ? splineAt(tone) : tone;
+  return kind === 'points' ? tabledTone(tone) : tone;
 }
 
-/** Counterpart of shaders/chunks/localColor.glsl: the tone and the tint of the surface's own colour. */
+/** Counterpart of shaders/chunks/localDarkness.glsl and localColor.glsl: the tone and the tint of the surface's own colour. */
 
 const colorHatching = /* @__PURE__ */ hatchingUniform('colorHatching', 'float');
 const colorExposure = /* @__PURE__ */ hatchingUniform('colorExposure', 'float');
