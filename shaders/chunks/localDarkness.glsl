@@ -7,7 +7,7 @@ uniform vec4 valueBends; // by how much
 // The darkness of a colour beside white, as far as it becomes tone. Emitted light lessens it.
 float localDarkness(const in vec3 color, const in vec3 emitted) {
   if (colorHatching == 0.0) return 0.0;
-  vec2 y = clamp(vec2(dot(colorFilter.rgb, color), dot(vec3(0.2126, 0.7152, 0.0722), emitted)), 0.0, 1.0);
+  vec2 y = clamp(vec2(dot(colorFilter.rgb, color), dot(emitted, vec3(0.2126, 0.7152, 0.0722))), 0.0, 1.0);
   float light = lightness(y.x);
   float planned = dot(valueBends, max(valueKnots - light, 0.0));
   return colorHatching * mix(1.0 - min(colorExposure * light, 1.0), planned, colorFilter.a) * (1.0 - y.y);

@@ -45,6 +45,7 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
     /^(perFragment|techniques\/(strokes|lines))\/(faded|faceNormals|varyings|vertex|hatchLayer|layers)\.glsl$/,
     'it declares or composes what hatchSurface.ts does for nodes',
   ],
+  [/^chunks\/plainColor\.glsl$/, 'its nodes compute the darkness at fragments'],
   [/^chunks\/darkenedByColor\.glsl$/, 'its function is in chunks/tone.ts'],
   [/^chunks\/handStrokes\.glsl$/, 'only WebGLRenderer draws the strokes of a hand'],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs outlines of nodes, and outlines/outlineNodes.ts clips them'],

@@ -130,15 +130,13 @@ export function curvedTone(tone: Value, curve: number): Value {
   return kind === 'points' ? tabledTone(tone) : tone;
 }
 
-/** Counterpart of shaders/chunks/localDarkness.glsl and localColor.glsl: the tone and the tint of the surface's own colour. */
+/** Counterpart of shaders/chunks/localDarkness.glsl: the tone of the surface's own colour. */
 
 const colorHatching = /* @__PURE__ */ hatchingUniform('colorHatching', 'float');
 const colorExposure = /* @__PURE__ */ hatchingUniform('colorExposure', 'float');
 const colorFilter = /* @__PURE__ */ hatchingUniform('colorFilter', 'vec4');
 const valueKnots = /* @__PURE__ */ hatchingUniform('valueKnots', 'vec4');
 const valueBends = /* @__PURE__ */ hatchingUniform('valueBends', 'vec4');
-const mapBlur = /* @__PURE__ */ hatchingUniform('mapBlur', 'float');
-const colorFill = /* @__PURE__ */ hatchingUniform('colorFill', 'float');
 
 /** The darkness of a colour beside white, as far as it becomes tone. Emitted light lessens it. */
 export function localDarkness(color: Value, emitted: Value): Value {
@@ -147,6 +145,11 @@ export function localDarkness(color: Value, emitted: Value): Value {
   const unlit = clamp(lightLuminance(emitted), 0, 1).oneMinus();
   return colorHatching.mul(mix(min(colorExposure.mul(light), 1).oneMinus(), planned, colorFilter.w)).mul(unlit);
 }
+
+/** Counterpart of shaders/chunks/localColor.glsl: the tint of the surface's own colour, and the part of it that becomes tone. */
+
+const mapBlur = /* @__PURE__ */ hatchingUniform('mapBlur', 'float');
+const colorFill = /* @__PURE__ */ hatchingUniform('colorFill', 'float');
 
 /**
  * The colour that becomes tone: a map without details that are finer than strokes can show; where it is cut out, as it is.
