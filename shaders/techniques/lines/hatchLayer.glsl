@@ -38,7 +38,8 @@ float hatchLayer(const in HatchingParameters h, const in float tone) {
     float second = takenOf(others, THIRD_FROM);
     float third = leftOf(others, second);
     float blank = 1.0;
-    for (int i = 0; i < 2; i++) {
+    int passes = third > LEAST_TONE ? 2 : 1;
+    for (int i = 0; i < passes; i++) {
       bool isOther = i == 1;
       vec2 lean = isOther ? -layerTurns.zw : layerTurns.xy;
       blank *= 1.0 - families(h, isOther ? 0.0 : first, isOther ? third : second, lean);

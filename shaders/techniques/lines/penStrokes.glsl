@@ -12,6 +12,8 @@ struct Pen {
   float open; // size of the gaps between strokes
   float allFrom; // tone from which on no stroke is left out
   float width; // width of a stroke in its middle, as a share of the room of a line
+  float widest; // the greatest width of any stroke there
+  float strays; // how far strokes lie off their lines at most, in distances between lines
 };
 
 // The integral of the ink of a growing stroke: a ramp from 0 to 1, and less where it is short.
@@ -27,7 +29,10 @@ Pen penFor(const in HatchingParameters h, const in Family family, const in float
   float open = light * light;
   float there = (rampSum(tone) - rampSum(max(tone - allFrom, 0.0))) / allFrom;
   float width = tone / max(there * (1.0 - LOST * open), 1e-4);
-  return Pen(family, alongLines(h, family), tone, open, allFrom, tone < allFrom ? min(width, NIB) : width);
+  width = tone < allFrom ? min(width, NIB) : width;
+  float uneven = irregularity * open;
+  float widest = width * (1.0 + 0.5 * WIDTH_SPREAD * uneven);
+  return Pen(family, alongLines(h, family), tone, open, allFrom, width, widest, uneven * (0.5 * LEANING + 0.25 * BENDING));
 }
 
 // The hash below which strokes exist if a given share of them does. Each appears over a part BIRTH of all hashes.
@@ -96,12 +101,20 @@ vec2 strokesOn(const in Pen pen, const in float born, const in float line) {
   return vec2(strokes.x, sign(number) * strokes.y);
 }
 
-// away: signed distance from the line, pixels, as is the spacing of old lines. share: of the room of old lines that the line has.
-float penCoverage(const in Pen pen, const in float away, const in float share, const in float spacing, const in float line) {
-  // New strokes are fewer and thinner at once: at full width they would fill the room between the old ones. In the darks they are only
-  // thinner, since a missing stroke would be a hole.
-  float there = mix(1.0, sqrt(max(share, 0.0)), sqrt(pen.open));
+// How many strokes of a line there are, and how thin. share: of the room of old lines that the line has. New strokes are fewer and thinner at
+// once: at full width they would fill the room between the old ones. In the darks they are only thinner, since a missing stroke would be a
+// hole.
+float thereOn(const in Pen pen, const in float share) {
+  return mix(1.0, sqrt(max(share, 0.0)), sqrt(pen.open));
+}
+
+// away: signed distance from the line, pixels, as are half of the line's room and the spacing of old lines. there: see thereOn.
+float penCoverage(
+  const in Pen pen, const in float away, const in float room, const in float there, const in float spacing, const in float line
+) {
+  float whole = room / max(there, 1e-4);
+  // Most pixels are touched by one line at most.
+  if (abs(away) >= max(whole * pen.widest, 0.5) + FRINGE + spacing * pen.strays) return 0.0;
   vec2 stroke = strokesOn(pen, bornBelow(there), line);
-  float width = share / max(there, 1e-4) * stroke.x;
-  return lineCoverage(abs(away - spacing * stroke.y), 0.5 * spacing * width, FRINGE);
+  return lineCoverage(abs(away - spacing * stroke.y), whole * stroke.x, FRINGE);
 }

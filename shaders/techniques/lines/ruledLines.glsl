@@ -17,13 +17,10 @@
   #define lineLeft(line) 1.0
 #endif // DISSOLVES_SHADOWS
 
-// The share of a pixel that a line covers. away: signed distance from the line. room: half of the room of the line. Both in pixels.
 #if TECHNIQUE == TECHNIQUE_PEN
   #include "technique/penStrokes"
-  #define LINE(away, room, line) penCoverage(pen, away, room / oldRoom, spacing, line)
 #elif TECHNIQUE == TECHNIQUE_WOODCUT
   #include "technique/carving"
-  #define LINE(away, room, line) lineCoverage(abs(away), room * cutWidth(cut, line), FRINGE)
   #ifdef DISSOLVES_SHADOWS
     // The tone that the spacing of cut rows depends on: constant across the edges of a shadow, where cuts widen, since a row for each tone
     // would leave crumbs there.
@@ -31,10 +28,9 @@
   #else
     #define ROW_TONE tone
   #endif // DISSOLVES_SHADOWS
-#elif defined(FOLLOWS_FORM)
-  #define LINE(away, room, line) lineCoverage(abs(away), room * tone, FRINGE)
-#else
-  #define LINE(away, room, line) lineCoverage(abs(away), room * tone * handWidth(line) * lineLeft(line), FRINGE)
+#endif // TECHNIQUE
+#if TECHNIQUE != TECHNIQUE_PEN
+  #define youngAt 1
 #endif // TECHNIQUE
 
 // The darkness of a family.
@@ -51,19 +47,35 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   float pixels = period / trianglePerPixel;
   float spacing = powerOf2(octave) / trianglePerPixel;
   float x = family.value / period;
-  float below = floor(x);
+  float old = floor(x + 0.5);
+  float oldRoom = 0.5 * spacing;
+  float youngRoom = 0.5 * (pixels - spacing);
   #if TECHNIQUE == TECHNIQUE_PEN
     Pen pen = penFor(h, family, tone, octave);
+    float thereYoung = thereOn(pen, youngRoom / oldRoom);
+    // The line in whose room the pixel lies comes first: in light tones no other touches it.
+    float fromOld = abs(x - old) * pixels;
+    int youngAt = 0.5 * pixels - fromOld - youngRoom < fromOld - oldRoom ? 0 : 1;
   #elif TECHNIQUE == TECHNIQUE_WOODCUT
     Cut cut = cutFor(h, family, tone, octave);
   #endif // TECHNIQUE
-  float oldRoom = 0.5 * spacing;
-  float youngRoom = 0.5 * (pixels - spacing);
-  // Sums over all lines that may touch the pixel.
+  float side = x < old ? -0.5 : 0.5;
+  // Sums over all lines that may touch the pixel: the nearest old one, the next on the pixel's side, and the young one between.
   float covered = 0.0;
   for (int i = 0; i < 3; i++) {
-    float line = below + 0.5 * float(i);
-    covered += LINE((x - line) * pixels, (i == 1 ? youngRoom : oldRoom), line * period);
+    bool isYoung = i == youngAt;
+    float line = old + side * (isYoung ? 1.0 : i < 2 ? 0.0 : 2.0);
+    float away = (x - line) * pixels;
+    float room = isYoung ? youngRoom : oldRoom;
+    #if TECHNIQUE == TECHNIQUE_PEN
+      covered += penCoverage(pen, away, room, isYoung ? thereYoung : 1.0, spacing, line * period);
+    #elif TECHNIQUE == TECHNIQUE_WOODCUT
+      covered += lineCoverage(abs(away), room * cutWidth(cut, line * period), FRINGE);
+    #elif defined(FOLLOWS_FORM)
+      covered += lineCoverage(abs(away), room * tone, FRINGE);
+    #else
+      covered += lineCoverage(abs(away), room * tone * handWidth(line * period) * lineLeft(line * period), FRINGE);
+    #endif // TECHNIQUE
   }
   covered = min(covered, 1.0);
   #if TECHNIQUE == TECHNIQUE_WOODCUT

@@ -26,6 +26,10 @@ export interface Pen {
   allFrom: Value;
   /** The width of a stroke in its middle, as a share of the room of a line. */
   width: Value;
+  /** The greatest width of any stroke there. */
+  widest: Value;
+  /** How far strokes lie off their lines at most, in distances between lines. */
+  strays: Value;
 }
 
 /** The integral of the ink of a growing stroke: a ramp from 0 to 1, and less where it is short. */
@@ -47,7 +51,12 @@ export function penFor(h: HatchingParameters, family: Family, tone: Value, octav
   const there = rampSum(tone).sub(rampSum(above)).div(allFrom);
   const width = tone.div(max(there.mul(open.mul(LOST).oneMinus()), 1e-4)).toVar();
   const drawn = select(tone.lessThan(allFrom), min(width, NIB), width).toVar();
-  return { family, along: alongLines(h, family), tone, open, allFrom, width: drawn };
+  const uneven = irregularity.mul(open).toVar();
+  return {
+    ...{ family, along: alongLines(h, family), tone, open, allFrom, width: drawn },
+    widest: drawn.mul(uneven.mul(0.5 * WIDTH_SPREAD).add(1)).toVar(),
+    strays: uneven.mul(0.5 * LEANING + 0.25 * BENDING).toVar(),
+  };
 }
 
 /** The hash below which strokes exist if a given share of them does. Each appears over a part BIRTH of all hashes. */
@@ -156,16 +165,31 @@ function strokesOn(pen: Pen, born: Value, line: Value): Value {
 }
 
 /**
- * @param away signed distance from the line, pixels
+ * How many strokes of a line there are, and how thin. New strokes are fewer and thinner at once: at full width they would fill the room
+ * between the old ones. In the darks they are only thinner, since a missing stroke would be a hole.
+ *
  * @param share of the room of old lines that the line has
+ */
+export const thereOn = ({ open }: Pen, share: Value): Value => mix(1, sqrt(max(share, 0)), sqrt(open)).toVar();
+
+/**
+ * @param away signed distance from the line, pixels
+ * @param room half of the line's room, pixels
+ * @param there see `thereOn`
  * @param spacing of old lines, pixels
  */
-export function penCoverage(pen: Pen, away: Value, share: Value, spacing: Value, line: Value): Value {
-  // New strokes are fewer and thinner at once: at full width they would fill the room between the old ones. In the darks they are only
-  // thinner, since a missing stroke would be a hole.
-  const there = mix(1, sqrt(max(share, 0)), sqrt(pen.open)).toVar();
-  const stroke = strokesOn(pen, bornBelow(there), line);
-  const width = share.div(max(there, 1e-4)).mul(stroke.x);
-  const halfWidth = spacing.mul(0.5).mul(width).toVar();
-  return lineCoverage(abs(away.sub(spacing.mul(stroke.y))), halfWidth, FRINGE);
+export function penCoverage(
+  pen: Pen,
+  line: Value,
+  { away, room, there, spacing }: Record<'away' | 'room' | 'there' | 'spacing', Value>,
+): Value {
+  const whole = room.div(max(there, 1e-4)).toVar();
+  const reach = max(whole.mul(pen.widest), 0.5).add(FRINGE).add(spacing.mul(pen.strays));
+  const covered = float(0).toVar();
+  // Most pixels are touched by one line at most.
+  If(abs(away).lessThan(reach), () => {
+    const stroke = strokesOn(pen, bornBelow(there), line);
+    covered.assign(lineCoverage(abs(away.sub(spacing.mul(stroke.y))), whole.mul(stroke.x).toVar(), FRINGE));
+  });
+  return covered;
 }

@@ -6,7 +6,7 @@ import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { cutFor, cutWidth, rowOctaves } from './carving.js';
 import { handWidth, hash01 } from './hand.js';
-import { penCoverage, penFor } from './penStrokes.js';
+import { penCoverage, penFor, thereOn } from './penStrokes.js';
 import type { Family, HatchingParameters } from './read.js';
 import { FRINGE, octaveOf, powerOf2, trianglePerPixelOf } from './strokeLengths.js';
 
@@ -31,31 +31,57 @@ function lineLeft(line: Value, shadowLeft: Value): Value {
 const rowTone = ({ shadowLeft }: HatchingParameters, tone: Value): Value =>
   shadowLeft ? max(tone, toneEnds.y.mul(shadowTone).mul(shadowLeft)).toVar() : tone;
 
-/**
- * The share of a pixel that a line covers. @param away signed distance from the line, pixels @param room half of the room of the line,
- * pixels
- */
-type Covering = (away: Value, room: Value, line: Value) => Value;
+/** The lines of a family that may touch a pixel. */
+interface NearLines {
+  octave: Value;
+  oldRoom: Value;
+  youngRoom: Value;
+  spacing: Value;
+  pixels: Value;
+  /** The distance from the nearest old line, pixels. */
+  fromOld: Value;
+}
+
+/** How lines of a technique cover a pixel. */
+interface Covering {
+  /** The share that one covers. @param away signed distance from it, pixels @param room half of its room, pixels */
+  of(away: Value, room: Value, line: Value, isYoung: Value): Value;
+  /** The place of the young line among the three that may touch the pixel. */
+  youngAt: Value;
+}
 
 function coveringBy(
   technique: HatchingTechnique,
   h: HatchingParameters,
   family: Family,
   tone: Value,
-  { octave, oldRoom, spacing }: Record<'octave' | 'oldRoom' | 'spacing', Value>,
+  { octave, oldRoom, youngRoom, spacing, pixels, fromOld }: NearLines,
 ): Covering {
   if (technique === 'pen') {
     const pen = penFor(h, family, tone, octave);
-    return (away, room, line) => penCoverage(pen, away, room.div(oldRoom), spacing, line);
+    const thereYoung = thereOn(pen, youngRoom.div(oldRoom));
+    // The line in whose room the pixel lies comes first: in light tones no other touches it.
+    const isInYoung = pixels.mul(0.5).sub(fromOld).sub(youngRoom).lessThan(fromOld.sub(oldRoom));
+    return {
+      of: (away, room, line, isYoung) =>
+        penCoverage(pen, line, { away, room, there: select(isYoung, thereYoung, float(1)).toVar(), spacing }),
+      youngAt: select(isInYoung, int(0), int(1)).toVar(),
+    };
   }
   if (technique === 'woodcut') {
     const cut = cutFor(h, family, tone, octave);
-    return (away, room, line) => lineCoverage(abs(away), room.mul(cutWidth(cut, line)).toVar(), FRINGE);
+    return {
+      of: (away, room, line) => lineCoverage(abs(away), room.mul(cutWidth(cut, line)).toVar(), FRINGE),
+      youngAt: int(1),
+    };
   }
-  return (away, room, line) => {
-    const ofHand = family.isOfForm ? tone : tone.mul(handWidth(line));
-    const width = h.shadowLeft && !family.isOfForm ? ofHand.mul(lineLeft(line, h.shadowLeft)) : ofHand;
-    return lineCoverage(abs(away), room.mul(width).toVar(), FRINGE);
+  return {
+    of: (away, room, line) => {
+      const ofHand = family.isOfForm ? tone : tone.mul(handWidth(line));
+      const width = h.shadowLeft && !family.isOfForm ? ofHand.mul(lineLeft(line, h.shadowLeft)) : ofHand;
+      return lineCoverage(abs(away), room.mul(width).toVar(), FRINGE);
+    },
+    youngAt: int(1),
   };
 }
 
@@ -69,16 +95,21 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value, t
   const pixels = period.div(trianglePerPixel).toVar();
   const spacing = powerOf2(octave).div(trianglePerPixel).toVar();
   const x = family.value.div(period).toVar();
-  const below = floor(x).toVar();
+  const old = floor(x.add(0.5)).toVar();
   const oldRoom = spacing.mul(0.5).toVar();
   const youngRoom = pixels.sub(spacing).mul(0.5).toVar();
-  const covering = coveringBy(technique, h, family, tone, { octave, oldRoom, spacing });
+  const fromOld = abs(x.sub(old)).mul(pixels).toVar();
+  const near = { octave, oldRoom, youngRoom, spacing, pixels, fromOld };
+  const { of, youngAt } = coveringBy(technique, h, family, tone, near);
+  const side = select(x.lessThan(old), float(-0.5), float(0.5)).toVar();
   const covered = float(0).toVar();
-  // Sums over all lines that may touch the pixel.
+  // Sums over all lines that may touch the pixel: the nearest old one, the next on the pixel's side, and the young one between.
   Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
-    const line = below.add(float(i).mul(0.5)).toVar();
-    const room = select(i.equal(int(1)), youngRoom, oldRoom).toVar();
-    covered.addAssign(covering(x.sub(line).mul(pixels).toVar(), room, line.mul(period).toVar()));
+    const isYoung = i.equal(youngAt).toVar();
+    const steps = select(isYoung, float(1), select(i.lessThan(int(2)), float(0), float(2)));
+    const line = old.add(side.mul(steps)).toVar();
+    const room = select(isYoung, youngRoom, oldRoom).toVar();
+    covered.addAssign(of(x.sub(line).mul(pixels).toVar(), room, line.mul(period).toVar(), isYoung));
   });
   covered.assign(min(covered, 1));
   return technique === 'woodcut' ? covered.oneMinus() : covered;
