@@ -83,10 +83,19 @@ export interface EngravedPlace {
   triangle: ScreenMap;
   /** View units per pixel. */
   unitsPerPixel: number;
+  /** What was read here so far, of families and of the two functions of the form. */
+  readings: Partial<Record<FamilyName, Reading>>;
+  forms: [FormReading?, FormReading?];
 }
+
+/** One of the two functions of the form, and the pressure of the hand. */
+type FormReading = FunctionAt & { pressure: number };
 
 /** Computes the lines of one surface: the functions whose level sets they are, and their widths. */
 export class Engraver {
+  /** The families that the surface may have. */
+  readonly families: readonly FamilyName[];
+
   private readonly cut: CutFamilies | null;
   private readonly leans: Readonly<Record<FamilyName, Lean>>;
 
@@ -107,6 +116,7 @@ export class Engraver {
     const [crossC, thirdC] = [across, back].map((lean): Lean => ({ ...lean, side: 'C' }));
     const first: Lean = { cosine: 1, sine: 0, side: null };
     this.leans = { first, crossB, crossC, thirdB, thirdC, shadowB: thirdB, shadowC: thirdC };
+    this.families = this.familiesOf();
   }
 
   /** Whether values jump across seams, so that vertices at one place may have several. */
@@ -123,8 +133,7 @@ export class Engraver {
     return this.look.hand !== null;
   }
 
-  /** The families that the surface may have. */
-  get families(): readonly FamilyName[] {
+  private familiesOf(): readonly FamilyName[] {
     const { crossFrom, crossesInShadows, technique } = this.look;
     return FAMILIES.filter((name) => {
       if (name === 'first') return true;
@@ -150,6 +159,8 @@ export class Engraver {
       flat: screenMap(place.flatNormal, flat, seen, true),
       triangle: screenMap(place.flatNormal, flat, seen),
       unitsPerPixel,
+      readings: {},
+      forms: [],
     };
   }
 
@@ -241,7 +252,7 @@ export class Engraver {
       profiles,
       cells: isCut
         ? cellsAlongAxes(gradient, place.field, place.fieldNormal, seen, length)
-        : cellsAlongForm(gradient, this.formAt(isFirst ? 1 : 0, place), seen, length),
+        : cellsAlongForm(gradient, this.formAt(isFirst ? 1 : 0, at), seen, length),
       value,
       repeat: isCut ? Infinity : powerOf2(coarsest),
       isDark: isFirst ? 0 : 1,
@@ -249,7 +260,13 @@ export class Engraver {
     };
   }
 
-  private read(family: FamilyName, { cut: reading, place }: EngravedPlace): Reading {
+  private read(family: FamilyName, at: EngravedPlace): Reading {
+    at.readings[family] ??= this.readingOf(family, at);
+    return at.readings[family];
+  }
+
+  private readingOf(family: FamilyName, at: EngravedPlace): Reading {
+    const reading = at.cut;
     if (this.cut !== null && reading !== null) {
       const lean = this.leans[family];
       return {
@@ -260,10 +277,10 @@ export class Engraver {
         coarsest: ANY_OCTAVE,
       };
     }
-    const first = this.formAt(0, place);
+    const first = this.formAt(0, at);
     const rest = { pressure: first.pressure, firstShare: 1, shareB: 1 };
     if (family === 'first') return { ...first, ...rest };
-    const other = this.formAt(1, place);
+    const other = this.formAt(1, at);
     if (this.leans[family].sine >= 0) return { ...other, ...rest };
     // The difference of the two functions is whole across seams too, and its lines lean the other way.
     return {
@@ -276,7 +293,12 @@ export class Engraver {
   }
 
   /** One of the two functions of the form: the first family's, or the one that crosses it. */
-  private formAt(which: 0 | 1, { field, form, formCrossing }: SurfacePlace): FunctionAt & { pressure: number } {
+  private formAt(which: 0 | 1, at: EngravedPlace): FormReading {
+    at.forms[which] ??= this.readFunction(which, at.place);
+    return at.forms[which];
+  }
+
+  private readFunction(which: 0 | 1, { field, form, formCrossing }: SurfacePlace): FormReading {
     const { irregularity, direction, technique } = this.look;
     const index = direction === 'acrossForm' ? 1 - which : which;
     const read = [form, formCrossing][index];
