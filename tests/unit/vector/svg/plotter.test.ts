@@ -1,5 +1,5 @@
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { TorusKnotGeometry } from 'three';
@@ -12,6 +12,8 @@ import { cameraAt, hatchedMesh, sceneOf } from '../hatchedScene.js';
 const runs = (command: string): boolean => spawnSync(command, ['--version']).status === 0;
 const hasVpype = runs('vpype');
 const hasPython = runs('python3');
+const hasGcode = hasVpype && spawnSync('vpype', ['gwrite', '--help']).status === 0;
+const docs = readFileSync(new URL('../../../../docs/svg.md', import.meta.url), 'utf8').replaceAll(/^ {2}/gm, '');
 if (!hasVpype)
   console.log('vpype is not installed (pip install vpype): nothing reads the files of pens as plotters do.');
 if (!hasPython) console.log('python3 is not installed: no parser of XML reads the files.');
@@ -41,11 +43,15 @@ function vpype(...args: string[]): string {
   return stdout;
 }
 
-/** The travel of the lifted pen in all layers, after vpype commands. */
-function travelOf(name: keyof typeof drawings, ...commands: string[]): number {
+/** The statistics of all layers, after vpype commands. */
+function totalsOf(name: keyof typeof drawings, ...commands: string[]): string {
   const told = vpype('read', fileOf(name), ...commands, 'stat');
-  return Number(/^ {2}Pen-up length: ([\d.]+)$/m.exec(told.slice(told.indexOf('Totals')))![1]);
+  return told.slice(told.indexOf('Totals'));
 }
+
+/** The travel of the lifted pen in all layers, after vpype commands. */
+const travelOf = (name: keyof typeof drawings, ...commands: string[]): number =>
+  Number(/^ {2}Pen-up length: ([\d.]+)$/m.exec(totalsOf(name, ...commands))![1]);
 
 test('the lifted pen goes less than 15 % of the way that it goes in the order in which lines are found', () => {
   const { paths, travelBefore, travelAfter } = drawings.travel!;
@@ -69,6 +75,42 @@ describe.skipIf(!hasVpype)('vpype', () => {
       '3 crossing',
     ]);
   });
+
+  test('finds next to nothing to join, and no shorter way', () => {
+    const countOf = (...commands: string[]): number =>
+      Number(/^ {2}Path count: (\d+)$/m.exec(totalsOf('travel', ...commands))![1]);
+    const merged = ['linemerge', '-t', '0.1mm', 'linesort'];
+    expect(countOf(...merged) / countOf()).toBeGreaterThan(0.98);
+    expect(travelOf('travel', ...merged) / travelOf('travel')).toBeGreaterThan(0.98);
+  });
+
+  test('writes HPGL by the recipe in the docs, with a pen for each layer', () => {
+    const file = join(folder, 'plot.hpgl');
+    const [, command] = /`vpype read plot\.svg (write [^`]*) plot\.hpgl`/.exec(docs)!;
+    spawnSync('vpype', ['read', fileOf('travel'), ...command.split(' '), file]);
+    expect(new Set(readFileSync(file, 'latin1').match(/SP[1-9]/g))).toEqual(new Set(['SP1', 'SP2', 'SP3']));
+  });
+
+  test.skipIf(!hasGcode)(
+    'writes G-code by the profile in the docs: the pen is down on lines alone, and on the sheet',
+    () => {
+      const [profile, file] = ['pen.toml', 'plot.gcode'].map((name) => join(folder, name));
+      writeFileSync(profile, /```toml\n([^`]*)```/.exec(docs)![1]);
+      vpype('--config', profile, 'read', fileOf('travel'), 'gwrite', '--profile', 'pen', file);
+      let [isDown, lines] = [false, 0];
+      for (const line of readFileSync(file, 'utf8').trim().split('\n')) {
+        if (line.startsWith('M3')) isDown = line.endsWith('S90');
+        const moved = /^G([01]) X([\d.]+) Y([\d.]+)/.exec(line);
+        if (!moved) continue;
+        const [draws, x, y] = moved.slice(1).map(Number);
+        expect(isDown).toBe(draws === 1);
+        lines += draws;
+        expect(x).toBeLessThanOrEqual(210);
+        expect(y).toBeLessThanOrEqual(190);
+      }
+      expect(lines).toBeGreaterThan(1000);
+    },
+  );
 
   test('sorts lines by no more than a fifth shorter way', () => {
     const ours = travelOf('travel');
