@@ -189,6 +189,7 @@ export class ExposureFit {
   private readonly lightness = new WeightedValues();
   private readonly fromAbove = new WeightedValues();
   private readonly fromAround = new WeightedValues();
+  private readonly ofWalls = new WeightedValues();
   private readonly colors = new WeightedColors();
   private isStale = true;
 
@@ -203,10 +204,10 @@ export class ExposureFit {
   update(scene: Object3D, layers: number): ToneFit {
     if (!this.contents.read(scene, layers) && !this.isStale) return this.fit;
     this.isStale = false;
-    const { arriving, wanted, lightness, fromAbove, fromAround, colors, contents } = this;
-    for (const values of [arriving, wanted, lightness, fromAbove, fromAround, colors]) values.clear();
+    const { arriving, wanted, lightness, fromAbove, fromAround, ofWalls, colors, contents } = this;
+    for (const values of [arriving, wanted, lightness, fromAbove, fromAround, ofWalls, colors]) values.clear();
     const all = placesOf(contents);
-    const openness = opennessOf(all, { fromAbove, fromAround });
+    const openness = opennessOf(all, { fromAbove, fromAround, ofWalls });
     const places = formedAmong(all);
     const lights = new LightsAround(contents);
     const area = places.reduce((sum, place) => sum + place.area * place.weight, 0);
@@ -313,20 +314,33 @@ const DEEP_TO = 0.75;
 const DEEP_LEFT = 0.03;
 const OPENED = 0.3;
 
+/** The share of all surfaces from which on a triangle is a wall, such as the back of a cupboard, and no fold of a body. */
+const WALL = 0.001;
+/**
+ * The share of all that is seen from anywhere that may lie in niches with walls, the occlusions of the walls from which on that share is and all
+ * of it is opened, and that from which on a wall is the hidden inside of a body.
+ */
+const NICHE_SHARE = 0.04;
+const NICHE_FROM = 0.6;
+const NICHE_TO = 0.72;
+const HIDDEN = 0.95;
+
 /**
  * The occlusion that counts as open: 0, unless nearly all that is seen from above is a floor with walls around it, or so much lies in deep
- * hollows that it would be one black, as in a doll's house, cupboards or a lattice. What is not level counts as open to a floor, since
+ * hollows or in niches that it would be one black, as in a doll's house, cupboards or a lattice. What is not level counts as open to a floor, since
  * rooms have floors.
  */
 function opennessOf(
   places: readonly Place[],
-  { fromAbove, fromAround }: Record<'fromAbove' | 'fromAround', WeightedValues>,
+  { fromAbove, fromAround, ofWalls }: Record<'fromAbove' | 'fromAround' | 'ofWalls', WeightedValues>,
 ): Openness {
   let [level, all] = [0, 0];
+  const wall = WALL * places.reduce((sum, { area, weight }) => sum + area * weight, 0);
   for (const { samples, material, toWorld, weight, area } of places) {
-    const { normals, occlusion, count } = samples;
+    const { normals, triangleAreas, occlusion, count } = samples;
     toWorldNormal.getNormalMatrix(toWorld);
     for (let i = 0; i < count; i++) {
+      const isWall = triangleAreas[i] * area > wall * samples.area;
       const { y } = normal
         .fromArray(normals, 3 * i)
         .applyMatrix3(toWorldNormal)
@@ -337,6 +351,7 @@ function opennessOf(
         const seen = (weight * area * (1 - occluded)) / count;
         all += seen;
         fromAround.add(occluded, seen);
+        ofWalls.add(isWall && occluded < HIDDEN ? occluded : 0, seen);
         if (upwards > LEVEL) level += seen;
         fromAbove.add(upwards > LEVEL ? occluded : 0, seen * upwards);
       }
@@ -347,7 +362,9 @@ function opennessOf(
   const ofRoom = floor * smoothstep(ROOM_FROM, ROOM_TO, floor) * smoothstep(FLOOR_FROM, FLOOR_TO, level / all);
   const deep = relativeOcclusion(fromAround.quantile(1 - DEEP_SHARE), ofRoom);
   const deepest = relativeOcclusion(fromAround.quantile(1 - DEEP_LEFT), ofRoom);
-  const ofHollows = ((deepest - OPENED) / (1 - OPENED)) * smoothstep(DEEP_FROM, DEEP_TO, deep);
+  const niches = relativeOcclusion(ofWalls.quantile(1 - NICHE_SHARE), ofRoom);
+  const opened = Math.max(smoothstep(DEEP_FROM, DEEP_TO, deep), smoothstep(NICHE_FROM, NICHE_TO, niches));
+  const ofHollows = ((deepest - OPENED) / (1 - OPENED)) * opened;
   return { ofRoom, openOcclusion: ofRoom + (1 - ofRoom) * ofHollows };
 }
 

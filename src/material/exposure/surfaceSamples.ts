@@ -11,6 +11,8 @@ export interface SurfaceSamples {
   readonly positions: Float32Array;
   /** The unit normals of the triangles. */
   readonly normals: Float32Array;
+  /** The areas of the triangles. */
+  readonly triangleAreas: Float32Array;
   /** The baked ambient occlusion of the front, then of the back, of each sample; 0 without a bake. */
   readonly occlusion: Float32Array;
   /** The vertex colours, three numbers per sample, and the first texture coordinates, two, if the geometry has them. */
@@ -133,6 +135,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
   const count = sum > 0 ? wanted : 0;
   const positions = new Float32Array(3 * count);
   const normals = new Float32Array(3 * count);
+  const triangleAreas = new Float32Array(count);
   const occlusion = new Float32Array(2 * count);
   const { color, uv } = geometry.attributes;
   const colors = color ? new Float32Array(3 * count) : undefined;
@@ -148,6 +151,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
     if (groups) groups[i] = corners.group(triangle);
     const xyz = corners.read(triangle);
     const length = writeNormal(xyz);
+    triangleAreas[i] = length / 2;
     for (let axis = 0; axis < 3; axis++) {
       positions[3 * i + axis] = shares[0] * xyz[axis] + shares[1] * xyz[3 + axis] + shares[2] * xyz[6 + axis];
       normals[3 * i + axis] = normal[axis] / length;
@@ -177,6 +181,7 @@ function takeSamples(geometry: BufferGeometry, wanted: number, mostTriangles: nu
     isFlat,
     positions,
     normals,
+    triangleAreas,
     occlusion,
     colors,
     places,

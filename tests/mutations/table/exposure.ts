@@ -24,6 +24,17 @@ export const exposure: readonly Mutation[] = [
     },
   },
   {
+    name: 'folds of a body are niches',
+    file: 'src/material/exposure/ExposureFit.ts',
+    find: 'isWall && occluded < HIDDEN',
+    replace: 'occluded < HIDDEN',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/material/exposure/openOcclusion.test.ts',
+      title: 'fewer are enough where they have large walls, and walls that nothing is seen of do not count',
+    },
+  },
+  {
     name: 'hollows in rooms count from the open sky on, as lines',
     file: 'src/look/relativeOcclusion.ts',
     find: 'occluded - open',

@@ -68,13 +68,13 @@ describe('the occlusion that counts as open', () => {
   });
 
   test('is 0 where a room stands on open land', () => {
-    expect(openOf(floor(0.6), wall(0.8), floor(0, 20))).toBe(0);
+    expect(openOf(floor(0.58), wall(0.58), floor(0, 20))).toBe(0);
   });
 });
 
 /** A board of 1, upright, with a baked occlusion on its front. Boards lie apart. */
-function board(occlusion: number, width: number, at: number): Mesh {
-  const mesh = baked(new PlaneGeometry(width, 1), occlusion);
+function board(occlusion: number, width: number, at: number, cells = 64): Mesh {
+  const mesh = baked(new PlaneGeometry(width, 1, cells, cells), occlusion);
   mesh.position.set(at, 0, 0);
   return mesh;
 }
@@ -94,6 +94,14 @@ describe('where much that is seen lies in deep hollows', () => {
     expect(openOf(outside, board(0.8, 0.5, 5))).toBe(0);
     expect(openOf(outside, board(0.6, 9, 5))).toBe(0);
     expect(openOf(outside, board(0.99, 10, 5))).toBe(0);
+  });
+
+  test('fewer are enough where they have large walls, and walls that nothing is seen of do not count', () => {
+    // Of what is seen the niche is (1 − 0.8) · 0.4, beside 1: 0.07.
+    expect(openOf(outside, board(0.8, 0.4, 5))).toBe(0);
+    expect(relativeOcclusion(0.8, openOf(outside, board(0.8, 0.4, 5, 1)))).toBeCloseTo(0.3, 2);
+    expect(openOf(outside, board(0.8, 0.15, 5, 1))).toBe(0);
+    expect(openOf(outside, board(0.98, 3, 5, 1))).toBe(0);
   });
 
   test('they become lighter without a jump', () => {
