@@ -16,23 +16,6 @@ mat2x3 screenMapOf(const in vec3 normal, const in vec2 centre, const in mat3 vie
   return mat2x3(viewToPlace * x, viewToPlace * y);
 }
 
-// normal: view space, of any length; limited at grazing angles.
-mat2x3 screenMapInView(const in vec3 normal, const in mat3 viewToPlace) {
-  vec2 centre = centreOfScreen();
-  float facing = abs(dot(normal, vec3(centre, 1.0)));
-  return screenMapOf(normal * (vViewUnitsPerPixel / max(facing, LEAST_FACING * length(normal))), centre, viewToPlace);
-}
-
-// n: unit normal, in the space of the positions that functions take.
-mat2x3 screenMap(const in vec3 n, const in mat3 viewToPlace) {
-  return screenMapInView(n * viewToPlace, viewToPlace);
-}
-
-// The Jacobian of the flat triangle.
-mat2x3 triangleOnScreen(const in mat3 viewToPlace) {
-  return screenMapInView(cross(dFdx(vViewPosition), dFdy(vViewPosition)), viewToPlace);
-}
-
 // The gradient per pixel of a function, from its gradient in space. It is turned by a right angle, and linear.
 vec2 screenGradient(const in vec3 gradient, const in mat2x3 onScreen) {
   return gradient * onScreen;

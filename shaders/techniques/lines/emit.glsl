@@ -1,6 +1,7 @@
 #include "perFragment/emit"
 vFieldPoint = objectToField * (anchorPosition - fieldOrigin);
 vFieldNormal = objectToFieldNormal * strokeNormal;
+vRay = objectToField * (viewToAnchor * (isOrthographic ? vec3(0.0, 0.0, 1.0) : vViewPosition));
 vViewUnitsPerPixel = unitsPerPixel(mat3(1.0), mvPosition);
 
 #ifdef FOLLOWS_FORM

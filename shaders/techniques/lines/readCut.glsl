@@ -22,9 +22,8 @@ HatchingParameters readHatchingParameters() {
   vec3 waves = slowWaves(HAND_WAVES * vFieldPoint);
   h.point = handPoint(vFieldPoint, waves);
   h.pressure = handPressure(waves);
-  mat3 viewToField = objectToField * readViewToAnchor();
-  h.onScreen = screenMap(normal, viewToField);
-  h.triangle = triangleOnScreen(viewToField);
+  h.onScreen = smoothOnScreen();
+  h.triangle = triangleOnScreen();
   h.value = fieldAt(field, h.point, h.gradient);
   h.valueOnScreen = screenGradient(h.gradient, h.onScreen);
   float along = dot(normal, h.gradient);

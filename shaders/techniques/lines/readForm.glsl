@@ -48,9 +48,8 @@ HatchingParameters readHatchingParameters() {
   h.values = vec2(formValueAt(first, stray), formValueAt(crossing, stray));
   h.gradient = first.xyz;
   h.crossingGradient = crossing.xyz;
-  mat3 viewToField = objectToField * readViewToAnchor();
-  h.onScreen = screenMap(safeNormalize(vFieldNormal), viewToField);
-  h.triangle = triangleOnScreen(viewToField);
+  h.onScreen = smoothOnScreen();
+  h.triangle = triangleOnScreen();
   h.valueOnScreen = screenGradient(first.xyz, h.onScreen);
   h.crossingOnScreen = screenGradient(crossing.xyz, h.onScreen);
   h.rises = vec2(length(first.xyz), length(crossing.xyz));

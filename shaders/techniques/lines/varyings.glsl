@@ -8,6 +8,7 @@
 // Field space: that of the object, or one for all objects of a scene, from a common origin and in tiles.
 varying vec3 vFieldPoint;
 varying vec3 vFieldNormal; // smoothed to the scale of a stroke
+varying vec3 vRay; // from the place to the viewer, as long as the depth; of length 1 for orthographic cameras
 varying float vViewUnitsPerPixel;
 #ifdef FOLLOWS_FORM
   // Gradient of a function, per tile, and its value minus half of the gradient's product with the position.

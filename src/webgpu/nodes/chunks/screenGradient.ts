@@ -1,9 +1,8 @@
-import { SCREEN_CONSTANTS } from '../../../look/constants/patternConstants.js';
 import { isOrthographic } from '../base/maths.js';
 import { hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 
-const { abs, cameraProjectionMatrix, cross, dFdx, dFdy, dot, length, max, positionView, select, vec2, vec3 } = tsl;
+const { abs, cameraProjectionMatrix, dot, positionView, select, vec2, vec3 } = tsl;
 
 /** Counterpart of shaders/perFragment/screenGradient.glsl: screen-space derivatives of functions on the object. */
 
@@ -30,27 +29,6 @@ export function screenMapOf(normal: Value, centre: Value, viewToPlace: Value): S
     viewToPlace.mul(vec3(z.add(centre.y.mul(y)), centre.y.negate().mul(x), x.negate())).toVar(),
   ];
 }
-
-/** @param normal view space, of any length; limited at grazing angles */
-function screenMapInView(normal: Value, viewToPlace: Value): ScreenMap {
-  const centre = centreOfScreen();
-  const facing = abs(dot(normal, vec3(centre, 1)));
-  const scale = viewUnitsPerPixel().div(max(facing, length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING)));
-  return screenMapOf(normal.mul(scale).toVar(), centre, viewToPlace);
-}
-
-/**
- * The Jacobian of the map from pixels to positions on the tangent plane.
- *
- * @param n unit normal, in the space of the positions that functions take
- * @param viewToPlace from the view to that space, linear part
- */
-export const screenMap = (n: Value, viewToPlace: Value): ScreenMap =>
-  screenMapInView(n.mul(viewToPlace).toVar(), viewToPlace);
-
-/** The Jacobian of the flat triangle. */
-export const triangleOnScreen = (viewToPlace: Value): ScreenMap =>
-  screenMapInView(cross(dFdx(positionView), dFdy(positionView)).toVar(), viewToPlace);
 
 /** The gradient per pixel of a function, from its gradient in space. */
 export const screenGradient = (gradient: Value, [x, y]: ScreenMap): Value => vec2(dot(gradient, x), dot(gradient, y));

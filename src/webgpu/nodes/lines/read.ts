@@ -2,12 +2,13 @@
 import type { Light } from 'three';
 import type { NodeBuilder } from 'three/webgpu';
 import { FIELD_CONSTANTS, FORM_CONSTANTS, HAND_CONSTANTS } from '../../../look/constants/lineConstants.js';
+import { SCREEN_CONSTANTS } from '../../../look/constants/patternConstants.js';
 import type { HatchingTechnique } from '../../../look/hatchingProperties.js';
 import { isInFullShadow, type ReceivedShadow } from '../base/lights.js';
 import { type Input, tsl, type Value } from '../base/values.js';
 import { readViewToAnchor } from '../chunks/anchor.js';
 import { followsForm } from '../chunks/lightOrientation.js';
-import { type ScreenMap, screenGradient, screenMap, triangleOnScreen } from '../chunks/screenGradient.js';
+import { centreOfScreen, type ScreenMap, screenGradient, viewUnitsPerPixel } from '../chunks/screenGradient.js';
 import { objectToField } from './emit.js';
 import {
   across,
@@ -25,7 +26,25 @@ import {
 } from './fields.js';
 import { handPoint, handPressure, irregularity, slowWaves } from './hand.js';
 
-const { cross, dot, float, If, length, max, min, mix, normalize, positionView, select, smoothstep, sqrt, vec2 } = tsl;
+const {
+  abs,
+  cross,
+  dFdx,
+  dFdy,
+  dot,
+  float,
+  If,
+  length,
+  max,
+  min,
+  mix,
+  normalize,
+  positionView,
+  select,
+  smoothstep,
+  sqrt,
+  vec2,
+} = tsl;
 const { vec3, vec4 } = tsl;
 const { BARE_SLOPE, SIDE_FADE, SPARSEST_SLOPE } = FIELD_CONSTANTS;
 const { COARSEST_OCTAVES, WIDTH_WAVE } = FORM_CONSTANTS;
@@ -77,6 +96,31 @@ export interface HatchingParameters {
   crossingFamily(isB: boolean, lean: readonly [cosine: Value, sine: Value], isOther: boolean): Family;
 }
 
+/** Counterpart of shaders/techniques/lines/read.glsl, from here and at the end: the parameters of lines at this fragment. */
+
+/** The Jacobian of the map from pixels to positions on the smooth surface, in the field. It is turned by a right angle. */
+function smoothOnScreen(builder: NodeBuilder): ScreenMap {
+  const viewToAnchor = readViewToAnchor(builder);
+  const right = objectToField.mul(viewToAnchor.mul(vec3(1, 0, 0))).toVar();
+  const up = objectToField.mul(viewToAnchor.mul(vec3(0, 1, 0))).toVar();
+  const centre = centreOfScreen();
+  const ray = objectToField.mul(viewToAnchor.mul(vec3(centre, 1))).toVar();
+  const normal = vec2(dot(vFieldNormal, right), dot(vFieldNormal, up)).toVar();
+  const facing = dot(vFieldNormal, ray).toVar();
+  const straight = facing.sub(dot(centre, normal));
+  const least = length(vec3(normal, straight)).mul(SCREEN_CONSTANTS.LEAST_FACING);
+  const scale = viewUnitsPerPixel()
+    .div(max(max(abs(facing), least), 1e-20))
+    .toVar();
+  return [
+    ray.mul(normal.y).sub(up.mul(facing)).mul(scale).toVar(),
+    right.mul(facing).sub(ray.mul(normal.x)).mul(scale).toVar(),
+  ];
+}
+
+/** The same for the flat triangle. */
+const triangleOnScreen = (): ScreenMap => [dFdy(vFieldPoint).negate().toVar(), dFdx(vFieldPoint).toVar()];
+
 /** Counterpart of shaders/techniques/lines/fieldAtFragment.glsl: the field at this fragment. */
 
 /**
@@ -121,9 +165,8 @@ export function readCutLines(
   const normal = normalize(vFieldNormal).toVar();
   const waves = slowWaves(place.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
   const point = handPoint(place, waves).toVar();
-  const viewToField = objectToField.mul(readViewToAnchor(builder)).toVar();
-  const onScreen = screenMap(normal, viewToField);
-  const triangle = triangleOnScreen(viewToField);
+  const onScreen = smoothOnScreen(builder);
+  const triangle = triangleOnScreen();
   const { value, gradient } = fieldAt(field, point);
   const along = dot(normal, gradient).toVar();
   const slope = sqrt(max(along.mul(along).oneMinus(), 1e-12)).toVar();
@@ -200,9 +243,8 @@ export function readFormLines(
   const ofHand = handPressure(waves);
   const pressure = differs ? ofHand : ofHand.add(irregularity.mul(WIDTH_WAVE).mul(waves.z));
   const values = [formValueAt(first, stray), formValueAt(crossing, stray)];
-  const viewToField = objectToField.mul(readViewToAnchor(builder)).toVar();
-  const onScreen = screenMap(normalize(vFieldNormal).toVar(), viewToField);
-  const triangle = triangleOnScreen(viewToField);
+  const onScreen = smoothOnScreen(builder);
+  const triangle = triangleOnScreen();
   const valueOnScreen = screenGradient(first.xyz, onScreen).toVar();
   const crossingOnScreen = screenGradient(crossing.xyz, onScreen).toVar();
   return {
@@ -238,7 +280,7 @@ export function readFormLines(
 }
 
 /**
- * Counterpart of shaders/techniques/lines/read.glsl: the parameters of lines at this fragment.
+ * The parameters of lines at this fragment.
  *
  * @param choices of the field that lines are level sets of
  */
