@@ -15,9 +15,12 @@ const viewportHeight = /* @__PURE__ */ hatchingUniform('viewportHeight', 'float'
 export const centreOfScreen = (): Value =>
   select(isOrthographic(), vec2(0), positionView.xy.div(positionView.z)).toVar();
 
+/** The depth; 1 for orthographic cameras. */
+export const depthOfScreen = (): Value => select(isOrthographic(), 1, positionView.z.negate()).toVar();
+
 /** View units per pixel. */
 export const viewUnitsPerPixel = (): Value =>
-  select(isOrthographic(), 1, positionView.z.negate())
+  depthOfScreen()
     .mul(2)
     .div(abs(cameraProjectionMatrix.element(1).element(1)).mul(viewportHeight));
 

@@ -8,7 +8,13 @@ import { isInFullShadow, type ReceivedShadow } from '../base/lights.js';
 import { type Input, tsl, type Value } from '../base/values.js';
 import { readViewToAnchor } from '../chunks/anchor.js';
 import { followsForm } from '../chunks/lightOrientation.js';
-import { centreOfScreen, type ScreenMap, screenGradient, viewUnitsPerPixel } from '../chunks/screenGradient.js';
+import {
+  centreOfScreen,
+  depthOfScreen,
+  type ScreenMap,
+  screenGradient,
+  viewUnitsPerPixel,
+} from '../chunks/screenGradient.js';
 import { objectToField } from './emit.js';
 import {
   across,
@@ -118,8 +124,14 @@ function smoothOnScreen(builder: NodeBuilder): ScreenMap {
   ];
 }
 
-/** The same for the flat triangle. */
-const triangleOnScreen = (): ScreenMap => [dFdy(vFieldPoint).negate().toVar(), dFdx(vFieldPoint).toVar()];
+/** The same for the flat triangle. Over the depth, positions are linear on the screen, so that differences of neighbours are exact. */
+function triangleOnScreen(): ScreenMap {
+  const depth = depthOfScreen();
+  const place = vec4(vFieldPoint, 1).div(depth).toVar();
+  const x = dFdx(place).toVar();
+  const y = dFdy(place).toVar();
+  return [vFieldPoint.mul(y.w).sub(y.xyz).mul(depth).toVar(), x.xyz.sub(vFieldPoint.mul(x.w)).mul(depth).toVar()];
+}
 
 /** Counterpart of shaders/techniques/lines/fieldAtFragment.glsl: the field at this fragment. */
 
