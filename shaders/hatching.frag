@@ -35,6 +35,7 @@ varying vec3 vViewPosition;
 #if defined(USE_SHADOWMAP) && defined(DOUBLE_SIDED)
   #include "shadowMatrices"
 #endif // USE_SHADOWMAP
+#include "strokeShadows"
 #include "shadows"
 #include "softShadows"
 #include <bumpmap_pars_fragment>

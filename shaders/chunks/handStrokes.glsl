@@ -15,6 +15,13 @@ uniform vec2 handRows;
 // The cells of a family's rows.
 struct Cells {
   vec2 places; // two coordinates along the rows, in tiles
+  #ifdef SHADOWS_ALONG_STROKES
+    // Steps on the surface, in view space: along a row while each of the places grows by 1, and straight across rows while the family's
+    // function does.
+    mat2x3 steps;
+    vec3 stepAcross;
+    vec3 normal;
+  #endif // SHADOWS_ALONG_STROKES
   float share; // of the first coordinate
   float repeat; // places after which cells repeat across a seam of the bake
   float period; // length of a cell
@@ -32,6 +39,14 @@ bool isFirst(const in HatchingParameters h, const in Family family) {
     return family.value == h.value;
   #endif // FOLLOWS_FORM
 }
+
+#ifdef SHADOWS_ALONG_STROKES
+  // The view-space step along a row while a place grows by 1. change: of the place, on the screen. ofRow: the way of the row on the screen.
+  vec3 stepOf(const in mat2x3 inView, const in vec2 change, const in vec2 ofRow, const in float least) {
+    float perPixel = dot(change, ofRow);
+    return inView * ofRow * ((perPixel < 0.0 ? -1.0 : 1.0) / max(abs(perPixel), least));
+  }
+#endif // SHADOWS_ALONG_STROKES
 
 Cells cellsFor(const in HatchingParameters h, const in Family family) {
   Cells cells;
@@ -59,6 +74,15 @@ Cells cellsFor(const in HatchingParameters h, const in Family family) {
   across /= max(length(across), 1e-12);
   cells.perPixelOfRow = max(vec2(crossed(first, across), crossed(second, across)), 0.1 * cells.perPixel);
   cells.askew = vec2(dot(first, across), dot(second, across)) / max(family.perPixel, 1e-12);
+  #ifdef SHADOWS_ALONG_STROKES
+    cells.normal = safeNormalize(vFieldNormal) * (objectToField * readViewToAnchor());
+    mat2x3 inView = screenMapInView(cells.normal, mat3(1.0));
+    vec2 ofRow = vec2(-across.y, across.x);
+    cells.steps[0] = stepOf(inView, first, ofRow, 0.1 * cells.perPixel);
+    cells.steps[1] = stepOf(inView, second, ofRow, 0.1 * cells.perPixel);
+    cells.stepAcross = inView * across / max(family.perPixel, 1e-12);
+    cells.normal = safeNormalize(cells.normal);
+  #endif // SHADOWS_ALONG_STROKES
   float octave = mix(octaves(strokeLength / PARTS_OF_TILE * rise), octaves(strokeLength * cells.perPixel), screenSpaceShare);
   cells.period = powerOf2(floor(octave));
   // Strokes of one cell and of two have the wanted length in the mean.
@@ -86,6 +110,12 @@ struct Row {
   float hash, turn;
   uint bits;
   vec2 born; // rank below which its strokes are there, and the range of ranks over which they grow
+  float widening; // what is added to half widths
+  #ifdef SHADOWS_ALONG_STROKES
+    vec2 bornInShadow;
+    float wideningInShadow;
+    vec3 middle; // its nearest point, view space
+  #endif // SHADOWS_ALONG_STROKES
 };
 
 // The number of a cell among those of a row that differ: the same on both sides of a seam, unless a cell is longer than what the seam
@@ -110,11 +140,14 @@ float bundledAside(const in Row row, const in float lot) {
   return -handRows.y * row.apart * drawn;
 }
 
-// The share of a pixel that the strokes of a row cover. place, share, perPixel: of one of the coordinates along the row. spacing: pixels.
-float strokeCoverage(
-  const in Row row, const in Cells cells, const in float place, const in float share, const in float perPixel, const in float isDark,
-  const in float widening, const in float spacing
-) {
+float grownAt(const in vec2 born, const in float rank) {
+  return clamp((born.x - rank) / born.y, 0.0, 1.0);
+}
+
+// The share of a pixel that the strokes of a row cover, counted along the first or the second place. spacing: pixels.
+float strokeCoverage(const in Row row, const in Cells cells, const in vec2 places, const in int which, const in float isDark, const in float spacing) {
+  float place = places[which];
+  float share = which == 0 ? cells.share : 1.0 - cells.share;
   // Rows are shifted by chance: any rule would show where their strokes end.
   float x = (row.way * place + strokeHash01(row.bits, 0.0) * cells.repeat) / cells.period;
   float most = cells.repeat / cells.period;
@@ -130,15 +163,11 @@ float strokeCoverage(
   float chance = strokeHash01(row.bits, number);
   // Ranks are spread evenly over a surface: the first strokes lie on one of three neighbouring rows.
   float rank = fract(row.turn + strokeHash01(uint(row.hash * 16777216.0) << 8u, number) / 3.0);
-  there = min(there, (row.born.x - rank) / row.born.y);
   there = min(there, ((1.0 + AXIS_TURN) * share - fract(AXIS_HASH * chance)) / AXIS_TURN);
   if (!(there > 0.0)) return 0.0;
   float size = handReach.w * (1.0 - handRows.x * fract(SIZE_HASH * chance)) * (isPair ? cells.longest : 1.0);
-  // A stroke that is not there in full is shorter, and ends as the hand ends it.
-  float t = 0.5 + ((inCell - (1.0 - size) * fract(START_HASH * chance)) / size - 0.5) / there;
+  float t = (inCell - (1.0 - size) * fract(START_HASH * chance)) / size;
   if (!(t > 0.0 && t < 1.0)) return 0.0;
-  float chosen = mix(0.5 * isDark, 1.0, rank) * (1.0 - SHAPES_OF_RANK) + SHAPES_OF_RANK * fract(SHAPE_HASH * chance);
-  float shape = min(floor(handReach.x * chosen), handReach.x - 1.0);
   float aside = row.way * row.away;
   if (handRows.y > 0.0) {
     // Strokes side by side are of one bundle, and others farther along: no gap runs all along the rows.
@@ -147,18 +176,63 @@ float strokeCoverage(
     float lot = floor(BUNDLED_ROWS * strokeHash01(SECOND_FACTOR, numberOfCell(place, repeat / BUNDLE_CELLS)));
     aside -= bundledAside(row, lot);
   }
+  float grown = grownAt(row.born, rank);
+  float widening = row.widening;
+  float cellLength = (isPair ? 2.0 : 1.0) * cells.period;
+  vec2 ends = vec2(0.0, 1.0);
+  #ifdef SHADOWS_ALONG_STROKES
+    float inShadow = grownAt(row.bornInShadow, rank);
+    float widest = handReach.y + handReach.z + max(widening, row.wideningInShadow);
+    if (spacing * (abs(aside) - widest) > FRINGE) return 0.0;
+    if (grown != inShadow || widening != row.wideningInShadow) {
+      vec3 step = row.way * size * cellLength * cells.steps[which];
+      vec3 shadows;
+      for (int i = 0; i < 3; i++) shadows[i] = shadowAt(row.middle + ((float(i) + 0.5) / 3.0 - t) * step, cells.normal);
+      // Of three thirds, those before the first and after the last that is there are gone.
+      vec3 thirds = mix(vec3(grown), vec3(inShadow), shadows);
+      grown = max(thirds.x, max(thirds.y, thirds.z));
+      vec3 gone = 1.0 - thirds / max(grown, 1e-6);
+      vec2 lost = vec2(gone.x, gone.z) * (1.0 + gone.y) / 3.0;
+      // What is left is no fleck, but half a stroke at least.
+      lost *= min(0.5 / max(lost.x + lost.y, 0.5), 1.0);
+      ends = vec2(lost.x, 1.0 - lost.y);
+      widening = mix(widening, row.wideningInShadow, dot(shadows, vec3(1.0 / 3.0)));
+    }
+  #endif // SHADOWS_ALONG_STROKES
+  there = min(there, grown);
+  if (!(there > 0.0)) return 0.0;
+  // A stroke that is not there in full is shorter, and ends as the hand ends it.
+  t = (0.5 + (t - 0.5) / there - ends.x) / (ends.y - ends.x);
+  if (!(t > 0.0 && t < 1.0)) return 0.0;
+  float chosen = mix(0.5 * isDark, 1.0, rank) * (1.0 - SHAPES_OF_RANK) + SHAPES_OF_RANK * fract(SHAPE_HASH * chance);
+  float shape = min(floor(handReach.x * chosen), handReach.x - 1.0);
   vec2 stroke = textureLod(handStrokes, vec2((t * (PLACES - 1.0) + 0.5) / PLACES, (shape + 0.5) / HAND_ROWS), 0.0).rg;
   float fromEnd = min(t, 1.0 - t);
   float halfWidth = (stroke.g + widening * min(1.0, WIDENED_ENDS * fromEnd)) * min(1.0, there / WIDE_FROM);
   halfWidth *= spacing;
   // Blunt ends are round, as the tip of a pen leaves them.
-  float toEnd = fromEnd * there * size * (isPair ? 2.0 : 1.0) * cells.period / perPixel;
+  float toEnd = fromEnd * there * (ends.y - ends.x) * size * cellLength / cells.perPixelOfRow[which];
   float cap = max(1.0 - toEnd / max(halfWidth, 0.5), 0.0);
   return lineCoverage(spacing * abs(aside - stroke.r), halfWidth * sqrt(1.0 - cap * cap), FRINGE);
 }
 
+// How a family draws a tone.
+struct Drawn {
+  // Of old and of young rows: the rank below which strokes are there, and the range of ranks over which they grow.
+  vec2 bornOld, bornYoung;
+  float widening; // what is added to half widths
+};
+
+// filled: the share of their cells that strokes fill. young: the share of the strokes of young rows.
+Drawn drawnAs(const in float tone, const in float filled, const in float young) {
+  float wanted = 1.0 - pow(clamp(1.0 - tone, 0.0, 1.0), 1.0 / filled);
+  vec2 at = vec2(wanted * (PLACES - 1.0) + 0.5, HAND_ROWS - TONE_ROWS + 0.5 + young * (TONE_ROWS - 1.0));
+  vec2 drawn = textureLod(handStrokes, at / vec2(PLACES, HAND_ROWS), 0.0).rg;
+  return Drawn(bornBelow(drawn.x), bornBelow(young * drawn.x), drawn.y);
+}
+
 // The darkness of a family.
-float ruledLines(const in HatchingParameters h, const in Family family, const in float tone) {
+float ruledLines(const in HatchingParameters h, const in Family family, const in Tones tone) {
   float trianglePerPixel = trianglePerPixelOf(family);
   float octave = min(octaveOf(family, trianglePerPixel), family.coarsest);
   float period = powerOf2(ceil(octave));
@@ -169,21 +243,24 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   Cells cells = cellsFor(h, family);
   // Strokes fill less of their cells where pairs have given way to one: as if the tone were darker.
   float filled = (1.0 - cells.paired * (1.0 - cells.longest)) * (1.0 - 0.5 * PAIR_TURN);
-  float wanted = 1.0 - pow(clamp(1.0 - tone, 0.0, 1.0), 1.0 / filled);
-  vec2 tones = vec2(wanted * (PLACES - 1.0) + 0.5, HAND_ROWS - TONE_ROWS + 0.5 + young * (TONE_ROWS - 1.0));
-  vec2 drawn = textureLod(handStrokes, tones / vec2(PLACES, HAND_ROWS), 0.0).rg;
+  Drawn drawn = drawnAs(litOf(tone), filled, young);
+  float widest = drawn.widening;
+  bool isYoungThere = drawn.bornYoung.x > 0.0;
+  #ifdef SHADOWS_ALONG_STROKES
+    Drawn inShadow = drawnAs(tone.y, filled, young);
+    widest = max(widest, inShadow.widening);
+    isYoungThere = isYoungThere || inShadow.bornYoung.x > 0.0;
+  #endif // SHADOWS_ALONG_STROKES
   float isDark = isFirst(h, family) ? 0.0 : 1.0;
-  vec2 bornOld = bornBelow(drawn.x);
-  vec2 bornYoung = bornBelow(young * drawn.x);
   float x = family.value / period;
-  float reach = (handReach.y + handReach.z + drawn.y + FRINGE / spacing) / apart;
+  float reach = (handReach.y + handReach.z + widest + FRINGE / spacing) / apart;
   float first = ceil(2.0 * (x - reach));
   float blank = 1.0;
   for (int i = 0; i < MOST_ROWS; i++) {
     float line = 0.5 * (first + float(i));
     if (!(line <= x + reach)) break;
     bool isYoung = fract(line) != 0.0;
-    if (isYoung && !(bornYoung.x > 0.0)) continue;
+    if (isYoung && !isYoungThere) continue;
     float number = numberOf(line * period, family);
     #ifdef FOLLOWS_FORM
       float way = number < 0.0 ? -1.0 : 1.0;
@@ -191,18 +268,26 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
       float way = 1.0;
     #endif // FOLLOWS_FORM
     number = abs(number) == 0.0 ? 0.0 : way * number;
-    Row row = Row(
-      number / period, apart, (x - line) * apart, way, hash01(number), turnOf(number), bitsOfLine(number),
-      isYoung ? bornYoung : bornOld
-    );
+    Row row;
+    row.number = number / period;
+    row.apart = apart;
+    row.away = (x - line) * apart;
+    row.way = way;
+    row.hash = hash01(number);
+    row.turn = turnOf(number);
+    row.bits = bitsOfLine(number);
+    row.born = isYoung ? drawn.bornYoung : drawn.bornOld;
+    row.widening = drawn.widening;
+    #ifdef SHADOWS_ALONG_STROKES
+      row.bornInShadow = isYoung ? inShadow.bornYoung : inShadow.bornOld;
+      row.wideningInShadow = inShadow.widening;
+      row.middle = -vViewPosition - cells.stepAcross * ((x - line) * period);
+    #endif // SHADOWS_ALONG_STROKES
     // The places of the nearest point of the row: strokes end straight across their rows.
     vec2 places = cells.places - cells.askew * ((x - line) * period);
-    blank *= 1.0 - strokeCoverage(row, cells, places.x, cells.share, cells.perPixelOfRow.x, isDark, drawn.y, spacing);
+    blank *= 1.0 - strokeCoverage(row, cells, places, 0, isDark, spacing);
     #ifndef FOLLOWS_FORM
-      if (cells.share < 1.0) {
-        float other = strokeCoverage(row, cells, places.y, 1.0 - cells.share, cells.perPixelOfRow.y, isDark, drawn.y, spacing);
-        blank *= 1.0 - other;
-      }
+      if (cells.share < 1.0) blank *= 1.0 - strokeCoverage(row, cells, places, 1, isDark, spacing);
     #endif // FOLLOWS_FORM
     if (!(blank > 0.0)) break;
   }

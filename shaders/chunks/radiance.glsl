@@ -45,6 +45,9 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
   PerToneNormal arriving = luminance(light.color) * RECIPROCAL_PI * response;
   #ifdef SEPARATES_SHADOWS
     surface.shadowed += (1.0 - lightShadow) * arriving;
+    #ifdef SHADOWS_ALONG_STROKES
+      sentHere[lightsVisited] = arriving * vec2(1.0, lightShadow);
+    #endif // SHADOWS_ALONG_STROKES
     arriving *= lightShadow;
     #ifdef DISSOLVES_SHADOWS
       float takes = luminance(light.color) * max(dot(light.direction, surface.smoothNormal), 0.0) * (1.0 - lightShadow);

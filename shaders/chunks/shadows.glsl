@@ -1,5 +1,5 @@
 // Separates a light from its shadow, since strokes depend on both. three.js' chunks multiply the two.
-#if defined(USE_SHADOWMAP) && (SHADOW_STROKES != SHADOW_STROKES_TONE || TONE_MODEL == TONE_MODEL_SHADOW)
+#if defined(USE_SHADOWMAP) && (SHADOW_STROKES != SHADOW_STROKES_TONE || TONE_MODEL == TONE_MODEL_SHADOW || defined(SHADOWS_ALONG_STROKES))
   #define SEPARATES_SHADOWS
 
   float lightShadow = 1.0; // of the current light: 1 where all of it arrives, 0 where nothing does

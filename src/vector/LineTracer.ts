@@ -5,7 +5,7 @@ import { between, cornersOf, onPicture, STRIDE, type SurfacePlace } from './Line
 import type { LevelSegments, Walk } from './levelSegments.js';
 import { type FamilyMeasure, handStrokes, type Line, plottedMark, printedMark, sameLine } from './lineMarks.js';
 import type { Tracing } from './readVertices.js';
-import { isSameCell, type RowStroke } from './shading/handStrokes.js';
+import { isSameCell, type RowStroke, type RowsInShadow } from './shading/handStrokes.js';
 import type { Shadowing, Tones } from './ToneReader.js';
 
 /** The rank of the line through the origin, a multiple of all powers of two. */
@@ -158,8 +158,9 @@ export class LineTracer {
 
   private measureIn(shadowing: Shadowing, { numbers, engraved }: ReadPlace, triangle: number, line: Line): Measured {
     const { place } = engraved;
-    const { pen, projection, isDrawnIn } = this.tracing;
-    const tones = this.tonesAt(place, shadowing);
+    const { pen, projection, isDrawnIn, engraver, toneReader } = this.tracing;
+    const isAlong = shadowing === 'traced' && engraver.hasRows && !isDrawnIn && !toneReader.isGround;
+    const tones = this.tonesAt(place, isAlong ? 'none' : shadowing);
     const at = projection.project(...place.view);
     const nothing: Measured = { at, place, tones, half: 0, margin: -1, isBlank: false, isHole: false };
     if (isDrawnIn && !isDrawnIn(tones.turned)) return nothing;
@@ -167,8 +168,10 @@ export class LineTracer {
     const { strokes, hand } = measure;
     if (hand) {
       const row = sameLine(hand, line);
-      const found = handStrokes(measure, row, BEYOND).flatMap((stroke) => {
-        return this.seenInMiddle(stroke, hand.uphill, numbers, triangle, shadowing, row) ?? [];
+      const inShadow = isAlong ? this.inShadow(engraved, triangle) : null;
+      const found = handStrokes(measure, row, inShadow, BEYOND).flatMap((stroke) => {
+        const aside = this.asideOf(numbers, triangle, stroke.shift, hand.uphill);
+        return this.seenInMiddle(stroke, aside, triangle, isAlong, shadowing, row) ?? [];
       });
       return { ...nothing, margin: found.length > 0 ? 1 : -1, strokes: found, uphill: hand.uphill };
     }
@@ -190,16 +193,25 @@ export class LineTracer {
    */
   private seenInMiddle(
     stroke: RowStroke,
-    uphill: readonly [number, number],
     numbers: ArrayLike<number>,
     triangle: number,
+    isAlong: boolean,
     shadowing: Shadowing,
     row: number,
   ): RowStroke | undefined {
     const { places, engraver } = this.tracing;
-    const place = places.read(this.asideOf(numbers, triangle, stroke.shift, uphill), triangle);
-    const measure = this.familyAt(engraver.at(place), this.tonesAt(place, shadowing), triangle);
-    return handStrokes(measure, row).find((one) => isSameCell(one, stroke));
+    const engraved = engraver.at(places.read(numbers, triangle));
+    const tones = this.tonesAt(engraved.place, isAlong ? 'none' : shadowing);
+    const inShadow = isAlong ? this.inShadow(engraved, triangle) : null;
+    const measure = this.familyAt(engraved, tones, triangle);
+    return handStrokes(measure, row, inShadow).find((one) => isSameCell(one, stroke));
+  }
+
+  /** The family of a place in all shadows, and where along its rows they fall. */
+  private inShadow(engraved: EngravedPlace, triangle: number): RowsInShadow {
+    const { toneReader } = this.tracing;
+    const { tone } = this.familyAt(engraved, this.tonesAt(engraved.place, 'all'), triangle);
+    return { tone, takenAt: (step) => toneReader.takenAt(engraved.place, step) };
   }
 
   /** The numbers at a distance from a place on the picture, pixels, as if the triangle went on. */

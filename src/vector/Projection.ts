@@ -45,6 +45,16 @@ export class Projection {
     return transformed(this.camera.view, x, y, z);
   }
 
+  /** A position in the world, moved by a step in view space. */
+  stepped([x, y, z]: Vec3, [right, up, back]: Vec3): Vec3 {
+    const { world: m } = this.camera;
+    return [
+      x + m[0] * right + m[4] * up + m[8] * back,
+      y + m[1] * right + m[5] * up + m[9] * back,
+      z + m[2] * right + m[6] * up + m[10] * back,
+    ];
+  }
+
   /** Projects a position in view space. */
   project(x: number, y: number, z: number): readonly [number, number] {
     const p = this.camera.projection;

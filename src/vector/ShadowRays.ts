@@ -110,6 +110,15 @@ export class ShadowRays {
     return { passing: 1 - shadow.intensity * (1 - found.passing), left: found.left };
   }
 
+  /** The share of the light of a lamp that passes to a place of a body, with a hard edge. Its place is that of `shadowOf`. */
+  hardPassing(
+    { intensity }: LampShadow,
+    { world, normal, direction, length }: { world: Vec3; normal: Vec3; direction: Vec3; length: number },
+  ): number {
+    const bundle = bundleOf(combined(1, world, this.bias, normal), normal, direction, length);
+    return this.isMet(bundle, MIDDLE, 0, 0, 0) ? 1 - intensity : 1;
+  }
+
   private onBody(bundle: Bundle, shadow: LampShadow, width: number): ReceivedShadow {
     if (this.isSoft) return { passing: this.passing(bundle, mapSoftness(shadow, bundle.end, width), 0, 0), left: 1 };
     return this.isMet(bundle, MIDDLE, 0, 0, 0) ? { passing: 0, left: 1 } : LIT;

@@ -151,6 +151,32 @@ export class ToneReader {
     return { tone, unshadowed, shadows, left: 1, full: 0, turned };
   }
 
+  /**
+   * The share of the light of all lamps that cast shadows which these take at a step from a place, with hard edges.
+   *
+   * @param step view space
+   */
+  takenAt({ world, toneNormal }: SurfacePlace, step: Vec3): number {
+    const { look, projection } = this;
+    const there = projection.stepped(world, step);
+    const { eye, backwards, isOrthographic } = projection;
+    const toViewer = isOrthographic ? backwards : normalize(combined(1, eye, -1, world));
+    let sum = 0;
+    let taken = 0;
+    for (const [i, lamp] of this.light.lamps.entries()) {
+      const shadow = this.light.shadows[i];
+      if (!shadow || !lamp.castsShadow) continue;
+      const { direction, luminance } = arriving(lamp, world);
+      const sent = luminance * responseTo(look.model, toneNormal, direction, toViewer, look.shininess);
+      if (sent <= 0) continue;
+      const from = arriving(lamp, there);
+      const place = { world: there, normal: toneNormal, direction: from.direction, length: from.length };
+      sum += sent;
+      taken += sent * (1 - this.rays.hardPassing(shadow, place));
+    }
+    return sum > 0 ? taken / sum : 0;
+  }
+
   private shadowOf(
     i: number,
     place: { world: Vec3; normal: Vec3; direction: Vec3; length: number },

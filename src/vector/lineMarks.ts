@@ -2,7 +2,7 @@ import { smoothstep } from '../look/vectors.js';
 import { cutFor, cutWidth } from './shading/carving.js';
 import { lineLeft } from './shading/groundShadow.js';
 import { handWidth } from './shading/hand.js';
-import { type HandRows, type RowStroke, rowsFor, strokesOnRow } from './shading/handStrokes.js';
+import { type HandRows, type RowStroke, type RowsInShadow, rowsFor, strokesOnRow } from './shading/handStrokes.js';
 import { penMargin } from './shading/penLines.js';
 import { drawnShare, type Pen, penFor, strokeAt } from './shading/penStrokes.js';
 import { powerOf2, roomOf } from './shading/ruledLines.js';
@@ -175,10 +175,17 @@ const penOf = ({ tone, octave }: FamilyMeasure, { along, irregularity, repeat }:
  * The strokes of a hand on a row, as a place sees them.
  *
  * @param row its value there
+ * @param inShadow null where shadows are part of the tone
  * @param beyond as in `strokesOnRow`
  */
-export function handStrokes({ tone, octave, perPixel, hand }: FamilyMeasure, row: number, beyond = 0): RowStroke[] {
-  return hand && tone > 0 ? strokesOnRow(rowsFor(hand, tone, octave, perPixel), row, beyond) : [];
+export function handStrokes(
+  { tone, octave, perPixel, hand }: FamilyMeasure,
+  row: number,
+  inShadow: RowsInShadow | null,
+  beyond = 0,
+): RowStroke[] {
+  if (!hand || !(Math.max(tone, inShadow?.tone ?? 0) > 0)) return [];
+  return strokesOnRow(rowsFor(hand, tone, octave, perPixel, inShadow), row, beyond);
 }
 
 /** The value of a line at a place: across seams of the form it differs from that where the line begins. */

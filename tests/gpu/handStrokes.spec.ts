@@ -114,6 +114,56 @@ test('strokes end straight across their rows, also where these run askew to the 
   expect(Math.abs(lean), measured).toBeLessThan(0.05);
 });
 
+/** The lengths of whole strokes on a wall that is blank but for the shadows of bars, across which rows run. */
+const shadedPieces = (page: Page, hand: object): Promise<number[]> =>
+  page.evaluate(
+    async ([hand, side]) => {
+      const { THREE, HatchingMaterial, makeRenderer, makeCamera, sceneOf, wholePieces } = window.toolkit;
+      const material = new HatchingMaterial({
+        ...{ technique: 'pen', direction: 'y', hand, screenSpaceShare: 1, toneCurve: 'linear', reflectedLight: 0 },
+      } as object);
+      await material.ready;
+      const wall = new THREE.Mesh(new THREE.PlaneGeometry(4, 4), material);
+      const bars = [-1, 1].map((x) => {
+        const bar = new THREE.Mesh(new THREE.PlaneGeometry(1.1, 8), new THREE.MeshBasicMaterial({ side: 2 }));
+        bar.position.set(x, 0, 6);
+        bar.castShadow = true;
+        return bar;
+      });
+      const light = new THREE.DirectionalLight(0xffffff, 0.2 * Math.PI);
+      light.position.set(0, 0, 8);
+      light.castShadow = wall.receiveShadow = true;
+      light.shadow.mapSize.setScalar(1024);
+      Object.assign(light.shadow.camera, { left: -2, right: 2, bottom: -2, top: 2, near: 1, far: 20 });
+      const renderer = makeRenderer();
+      renderer.shadowMap.enabled = true;
+      renderer.setSize(side, side, false);
+      renderer.render(sceneOf(wall, ...bars, light, new THREE.AmbientLight(0xffffff, 0.8 * Math.PI)), makeCamera());
+      const gl = renderer.getContext();
+      const pixels = new Uint8Array(4 * side * side);
+      gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      material.dispose();
+      return wholePieces(side, (i) => pixels[4 * i] < 165).map((piece) => {
+        const [xs, ys] = [piece.map((i) => i % side), piece.map((i) => Math.floor(i / side))];
+        return Math.hypot(Math.max(...xs) - Math.min(...xs) + 1, Math.max(...ys) - Math.min(...ys) + 1);
+      });
+    },
+    [hand, SIDE] as const,
+  );
+
+test('strokes of a hand end at the hard edge of a shadow, and are not cut to flecks', async ({ page }) => {
+  const { numbers } = hands.feltTip;
+  const even = { ...numbers, angleSpread: 0, wobble: 0, curvature: 0, lengthSpread: 0, crossingFrom: 1 };
+  const hand = { ...hands.feltTip, numbers: { ...even, width: 0.35, spacing: 1.6, clustering: 0, overlap: -0.3 } };
+  const lengths = await shadedPieces(page, hand);
+  const flecks = lengths.filter((length) => length < 0.4 * SCALE * numbers.length);
+  const measured = `${flecks.length} of ${lengths.length} strokes`;
+  test.info().annotations.push({ type: 'measured', description: measured });
+  expect(lengths.length).toBeGreaterThan(100);
+  // Some of the first strokes of a tone are growing.
+  expect(flecks.length / lengths.length, measured).toBeLessThan(0.15);
+});
+
 /** The luminance of the pixels of a wall in one tone, from 0 to 255. */
 const wallOf = (page: Page, hand: Hand, direction: 'x' | 'y' | 'form', tone: number): Promise<number[]> =>
   page.evaluate(

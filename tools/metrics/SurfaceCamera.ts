@@ -3,9 +3,11 @@ import {
   BufferAttribute,
   BufferGeometry,
   DirectionalLight,
+  DoubleSide,
   FloatType,
   LineSegments,
   Mesh,
+  MeshBasicMaterial,
   NearestFilter,
   type Object3D,
   PerspectiveCamera,
@@ -24,6 +26,8 @@ const EYE = new Vector3(0.3, 0.4, 3.9);
 /** Direction to the light, in world space and in object space. */
 export const TO_LIGHT = new Vector3(1, 1.2, 1).normalize();
 const UP = new Vector3(0, 1, 0);
+/** The place of a light that casts shadows on a wall. */
+const BESIDE = new Vector3(-1.5, 0.4, 3);
 /** Light intensity too weak to change the tone; the light still gives strokes their direction. */
 const DIRECTION_ALONE = 1e-6;
 
@@ -67,6 +71,27 @@ export class SurfaceCamera {
     this.sun.intensity = DIRECTION_ALONE;
     this.fill.intensity = Math.PI * (1 - tone);
     return this.lightFrom(lightDegrees);
+  }
+
+  /**
+   * Under one light from the left, in whose shadow a caster draws bars that are not seen themselves: `lit` and `shaded` are the tones of a
+   * wall that faces the camera.
+   */
+  barred(lit: number, shaded: number, caster: BufferGeometry): this {
+    const { renderer, scene, sun, fill, mesh } = this;
+    renderer.shadowMap.enabled = true;
+    sun.castShadow = mesh.receiveShadow = true;
+    sun.shadow.mapSize.setScalar(2048);
+    sun.shadow.bias = -0.002;
+    Object.assign(sun.shadow.camera, { left: -2, right: 2, bottom: -2, top: 2, near: 0.1, far: 10 });
+    sun.position.copy(BESIDE);
+    sun.intensity = (Math.PI * (shaded - lit)) / BESIDE.clone().normalize().z;
+    fill.intensity = Math.PI * (1 - shaded);
+    const bars = new Mesh(caster, new MeshBasicMaterial({ colorWrite: false, depthWrite: false, side: DoubleSide }));
+    bars.castShadow = true;
+    bars.renderOrder = -1;
+    scene.add(bars);
+    return this;
   }
 
   /** The standard view, enlarged about its middle. */

@@ -1,5 +1,6 @@
 /** Measures the strokes of hands: how whole they are, their tones, how steady they are, and their numbers on a plane. */
-import { type BufferGeometry, PlaneGeometry, Vector3, type WebGLRenderer } from 'three';
+import { type BufferGeometry, MeshLambertMaterial, PlaneGeometry, Vector3, type WebGLRenderer } from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import {
   type Hand,
   type HandNumbers,
@@ -114,6 +115,62 @@ export async function measureWholeness(
   }
   geometry.dispose();
   return found;
+}
+
+/** The tones of a wall in the light and in the shadow of bars. */
+const BARRED = [
+  [0.03, 0.3],
+  [0.1, 0.5],
+] as const;
+/** The bars: their number, and their width as a share of their distance. */
+const [BARS, BAR_WIDTH] = [4, 0.5];
+
+/** Measures the strokes of hands at the hard edges of shadows: pieces whose middle is within half a length of one. */
+export async function measureAtShadows(
+  renderer: WebGLRenderer,
+  hands: readonly ExampleHandName[],
+): Promise<Partial<Record<ExampleHandName, PicturedWholeness[]>>> {
+  const geometry = await wall();
+  const bars = barsBeforeWall();
+  const found: Partial<Record<ExampleHandName, PicturedWholeness[]>> = {};
+  for (const name of hands) {
+    const { hand, material, scale, dispose } = await drawnWith(name);
+    found[name] = BARRED.map(([lit, shaded]) => {
+      const camera = new SurfaceCamera(renderer, SIZE, geometry, material).barred(lit, shaded, bars);
+      const plain = new SurfaceCamera(renderer, SIZE, geometry, flat as unknown as HatchingMaterial);
+      const drawn = scale * hand.numbers.length;
+      const edges = nearEdges(plain.barred(0, 1, bars).shoot(), 0.5 * drawn);
+      const lines = centreLines(camera.shoot());
+      for (const one of [camera, plain]) one.dispose();
+      return { tone: shaded, nearness: 1, ...wholeness(lines, drawn, edges) };
+    });
+    dispose();
+  }
+  renderer.shadowMap.enabled = false;
+  for (const one of [geometry, bars]) one.dispose();
+  return found;
+}
+
+const flat = new MeshLambertMaterial();
+
+/** Upright bars half way to the light. */
+function barsBeforeWall(): BufferGeometry {
+  const bars = Array.from({ length: BARS }, (_, i) =>
+    new PlaneGeometry(BAR_WIDTH * (4 / BARS), 6).translate((4 / BARS) * (i - 0.5 * (BARS - 1)), 0, 0.4),
+  );
+  return mergeGeometries(bars);
+}
+
+/** Infinity at pixels near a step of luminance along a row of the picture, and 0 at others. */
+function nearEdges({ width, height, luminance }: SurfaceImage, reach: number): Float32Array {
+  const near = new Float32Array(width * height);
+  for (let y = 0; y < height; y++)
+    for (let x = 1; x < width; x++) {
+      const i = width * y + x;
+      if (luminance[i] > 0.3 === luminance[i - 1] > 0.3) continue;
+      near.fill(Infinity, i - Math.min(Math.round(reach), x), i + Math.min(Math.round(reach), width - x));
+    }
+  return near;
 }
 
 /** The tones of a hand, by what was asked for. */

@@ -10,7 +10,14 @@ import { counts, followsForm, needsMap } from 'three-hatching/facts';
 import { HATCHING_TECHNIQUES } from '../../src/look/hatchingProperties.js';
 import { plainLook } from '../plainLook.js';
 import { type FlatTones, measureFlatTones } from './flatTones.js';
-import { measureMotion, measureNumbers, measureTones, measureWholeness, strokeKind } from './handStrokes.js';
+import {
+  measureAtShadows,
+  measureMotion,
+  measureNumbers,
+  measureTones,
+  measureWholeness,
+  strokeKind,
+} from './handStrokes.js';
 import { type IntersectionMeasure, measureIntersections } from './intersections.js';
 import { loadModel, type ModelName } from './loadModel.js';
 import { measureLines } from './measureLines.js';
@@ -96,6 +103,7 @@ declare global {
     handStrokes: {
       kind: ReturnType<typeof strokeKind>;
       wholeness: OnPage<typeof measureWholeness>;
+      atShadows: OnPage<typeof measureAtShadows>;
       tones: OnPage<typeof measureTones>;
       motion: OnPage<typeof measureMotion>;
       numbers: OnPage<typeof measureNumbers>;
@@ -165,6 +173,7 @@ const onPage =
 window.handStrokes = {
   kind: strokeKind(),
   wholeness: onPage(measureWholeness),
+  atShadows: onPage(measureAtShadows),
   tones: onPage(measureTones),
   motion: onPage(measureMotion),
   numbers: onPage(measureNumbers),

@@ -7,6 +7,7 @@
  * @typedef {object} StrokeMeasures
  * @property {import('./handStrokes.js').StrokeKind} kind
  * @property {Record<string, Record<string, PicturedWholeness[]>>} whole by model and hand
+ * @property {Record<string, PicturedWholeness[]>} atShadows by hand
  * @property {Record<string, Record<string, HandTones>>} tones by surface and hand
  * @property {Record<string, Record<string, HandMotion>>} motion by model and hand, and of `lines`
  * @property {Record<string, NumbersOnWall>} numbers by hand
@@ -26,7 +27,7 @@ const MODELS = ['sphere', 'torus', 'bunny', 'dragon11k'];
 const FILES = { spot: 'spot.obj', nefertiti: 'nefertiti_lowres.obj' };
 const MOVING_MODELS = ['sphere', 'bunny'];
 const TONED = ['wall', 'sphere'];
-const PARTS = ['whole', 'tones', 'motion', 'numbers'];
+const PARTS = ['whole', 'atShadows', 'tones', 'motion', 'numbers'];
 /** Required of every hand and model. */
 const LIMITS = { byInk: 0.8, plain: 0.6, tone: 0.02, number: 0.15 };
 
@@ -57,7 +58,7 @@ export async function measureStrokes(page, only = []) {
   /** @type {StrokeMeasures} */
   const found = {
     kind: await page.evaluate(() => window.handStrokes.kind),
-    ...{ whole: {}, tones: {}, motion: {}, numbers: {} },
+    ...{ whole: {}, atShadows: {}, tones: {}, motion: {}, numbers: {} },
   };
   const measure = (part, ...rest) => page.evaluate(([part, rest]) => window.handStrokes[part](...rest), [part, rest]);
   if (parts.includes('whole')) {
@@ -69,6 +70,11 @@ export async function measureStrokes(page, only = []) {
           .join('; ')}`,
       );
     }
+  }
+  if (parts.includes('atShadows')) {
+    found.atShadows = await measure('atShadows', chosen(WHOLE_HANDS));
+    for (const [hand, pictures] of Object.entries(found.atShadows))
+      console.log(`at edges of shadows: ${wholeOf(hand, pictures)}`);
   }
   if (parts.includes('tones')) {
     for (const surface of chosen(TONED)) {
@@ -193,7 +199,7 @@ export function missedStrokes({ whole, tones, motion, numbers }) {
 }
 
 /** The part of the page of the docs. @param {StrokeMeasures} strokes */
-export function describeStrokes({ kind, whole, tones, motion, numbers }) {
+export function describeStrokes({ kind, whole, atShadows, tones, motion, numbers }) {
   const row = (cells) => `| ${cells.join(' | ')} |`;
   const table = (head, rows) =>
     [row(head), row(['---', ...head.slice(1).map(() => '--:')]), ...rows.map(row)].join('\n');
@@ -220,6 +226,17 @@ Each is the worst of six pictures of 900 pixels. Pieces whose middle is within o
 ${table(
   ['', ...models],
   hands.map((hand) => [hand, ...models.map((model) => wholeCell(whole[model][hand]))]),
+)}
+
+**At the hard edges of shadows.** The same of pieces whose middle is within half a length of the shadow of a bar on a wall, of tones 0.03 and 0.3, and 0.1 and 0.5.
+Strokes that end at an edge are shorter: between a half and all of their length.
+
+${table(
+  ['', 'edges'],
+  Object.entries(atShadows).map(([hand, pictures]) => {
+    const { byInk, plain, apart, joined } = worstWhole(pictures);
+    return [hand, `${byInk.toFixed(2)} (${plain.toFixed(2)}), ${apart.toFixed(2)}, ${joined.toFixed(2)}`];
+  }),
 )}
 
 **Tone.** How far blocks of 32 pixels are from their tone, in the mean: uneven strokes and wrong tones together, and in brackets wrong tones alone.

@@ -8,12 +8,15 @@ import { surface } from './surface.js';
 /** Pixels to a millimetre of the sheet, where a material gives no width of strokes. */
 const PIXELS_PER_MILLIMETRE = 6;
 
-const { './chunks/handStrokes.glsl': rows } = import.meta.glob<string>('./chunks/handStrokes.glsl', {
-  base: '../../../shaders',
-  query: '?raw',
-  import: 'default',
-  eager: true,
-});
+const { './chunks/handStrokes.glsl': rows, ...shadows } = import.meta.glob<string>(
+  './chunks/{handStrokes,strokeShadows}.glsl',
+  {
+    base: '../../../shaders',
+    query: '?raw',
+    import: 'default',
+    eager: true,
+  },
+);
 
 const textures = new HandTextures();
 
@@ -21,6 +24,7 @@ const textures = new HandTextures();
 export const part: MaterialPart = {
   surface,
   files: {
+    ...shadows,
     // Rows of strokes are drawn in the place of lines.
     './techniques/lines/ruledLines.glsl': [
       definesOf({ ...HAND_STROKE_CONSTANTS, ...HAND_TEXTURE }),

@@ -21,7 +21,7 @@ const files: ShaderFiles = import.meta.glob(
   [
     './hatching.*',
     './{chunks,environment,shadowMaps}/*',
-    '!./chunks/{dryMedia,tooth,handStrokes,lineCoverage,meanLight,metal,softShadows,shadowSearch}.glsl',
+    '!./chunks/{dryMedia,tooth,handStrokes,strokeShadows,lineCoverage,meanLight,metal,softShadows,shadowSearch}.glsl',
     '!./chunks/{ink,largestComponents,levelByDepth,lightOrientation,thresholdMap}.glsl',
     './perFragment/*',
     '!./perFragment/screenGradient.glsl',
@@ -33,6 +33,7 @@ const files: ShaderFiles = import.meta.glob(
 const ABSENT: Readonly<Record<string, string>> = {
   dryMedia: '',
   softShadows: '',
+  strokeShadows: '',
   'technique/stipple': '',
   'technique/carving': '',
 };

@@ -5,13 +5,13 @@
  */
 import { LINE_CONSTANTS, PEN_CONSTANTS } from '../../look/constants/lineConstants.js';
 import { HASH_FACTORS } from '../../look/constants/patternConstants.js';
-import { clamp01, mix, type Vec3 } from '../../look/vectors.js';
+import { clamp01, combined, mix, type Vec3 } from '../../look/vectors.js';
 import { HAND_STROKE_CONSTANTS, HAND_TEXTURE } from '../../strokes/handConstants.js';
 import type { StrokeProfiles } from '../../strokes/strokeProfiles.js';
 import { hash01, turnOf } from './hand.js';
 import { bitsOfLine, strokeHash01 } from './penStrokes.js';
 import { octaves, powerOf2 } from './ruledLines.js';
-import { type ScreenMap, screenGradient } from './screenGradient.js';
+import { type ScreenMap, screenGradient, stepInView } from './screenGradient.js';
 import { axesAlong, axisOf, crossed, numberOf, type StrokeLength } from './strokeLengths.js';
 
 const { PLACES, TONE_ROWS } = HAND_TEXTURE;
@@ -38,11 +38,15 @@ interface RowCoordinate {
   perPixel: number;
   /** Its change, straight across a row on the screen, while the family's function grows by 1. */
   askew: number;
+  /** The step along a row while it grows by 1, view space. */
+  step: Vec3;
 }
 
 /** The cells of a family's rows at a place. */
 export interface Cells {
   coordinates: readonly RowCoordinate[];
+  /** The step straight across rows while the family's function grows by 1, view space. */
+  stepAcross: Vec3;
   /** Places after which cells repeat across a seam of the bake, and whether there are seams. */
   repeat: number;
   hasSeams: boolean;
@@ -116,9 +120,13 @@ function cellsFor(
     .filter(({ share }) => share > 0)
     .map(({ id, place, share, gradient: ofPlace }): RowCoordinate => {
       const change = screenGradient(ofPlace, map);
+      const alongRow = crossed(change, across);
+      const isBack = change[1] * across[0] - change[0] * across[1] < 0;
+      const pixels = (isBack ? -1 : 1) / Math.max(alongRow, 0.1 * perPixel);
       return {
         ...{ id, place, share },
-        perPixel: Math.max(crossed(change, across), 0.1 * perPixel),
+        perPixel: Math.max(alongRow, 0.1 * perPixel),
+        step: stepInView([-across[1] * pixels, across[0] * pixels], map),
         askew: (change[0] * across[0] + change[1] * across[1]) / Math.max(size, 1e-12),
       };
     });
@@ -131,7 +139,11 @@ function cellsFor(
   // Strokes of one cell and of two have the wanted length in the mean.
   const wanted = Math.min(Math.max(powerOf2(octave) / period, 1), 2);
   const most = Math.min(LONGEST_IN_PAIR * wanted, 2);
-  return { coordinates, period, paired: (2 * (wanted - 1)) / (most + wanted - 2), longest: 0.5 * most };
+  const stepAcross = stepInView(
+    [onScreen[0] / Math.max(size * size, 1e-24), onScreen[1] / Math.max(size * size, 1e-24)],
+    map,
+  );
+  return { coordinates, stepAcross, period, paired: (2 * (wanted - 1)) / (most + wanted - 2), longest: 0.5 * most };
 }
 
 /** The rank below which strokes are there if a given share of them is, and the range over which they grow: few strokes are whole too. */
@@ -177,39 +189,63 @@ export interface HandRows {
   isDark: 0 | 1;
 }
 
-/** The rows of a family at a place. */
-export interface Rows extends HandRows {
-  /** The distance of old rows: a power of two, in units of the function; and in mean distances. */
-  period: number;
-  apart: number;
-  /** The mean distance of rows, pixels. */
-  spacing: number;
+/** A family where shadows fall. */
+export interface RowsInShadow {
+  /** Its tone in the shadows of all lights that cast one. */
+  tone: number;
+  /** The share of their light that is taken at a step from the place, view space. */
+  takenAt(step: Vec3): number;
+}
+
+/** How a family draws a tone. */
+interface Drawn {
   /** The rank below which strokes of old and of young rows are there, and the range of ranks over which they grow. */
   bornOld: Pair;
   bornYoung: Pair;
   widening: number;
 }
 
+/** The rows of a family at a place. */
+export interface Rows extends HandRows, Drawn {
+  /** The distance of old rows: a power of two, in units of the function; and in mean distances. */
+  period: number;
+  apart: number;
+  /** The mean distance of rows, pixels. */
+  spacing: number;
+  /** In the shadows of all lights; null where they are part of the tone. */
+  inShadow: (Drawn & Pick<RowsInShadow, 'takenAt'>) | null;
+}
+
 /**
  * The rows of a family.
  *
  * @param octave of their mean distance
+ * @param tone without the shadows of `inShadow`
  * @param perPixel change of the family's function from one pixel to the next
  */
-export function rowsFor(hand: HandRows, tone: number, octave: number, perPixel: number): Rows {
+export function rowsFor(
+  hand: HandRows,
+  tone: number,
+  octave: number,
+  perPixel: number,
+  inShadow: RowsInShadow | null = null,
+): Rows {
   const { cells, profiles } = hand;
   const period = powerOf2(Math.ceil(octave));
   const apart = period / powerOf2(octave);
   const young = clamp01(apart - 1);
   // Strokes fill less of their cells where pairs have given way to one: as if the tone were darker.
   const filled = (1 - cells.paired * (1 - cells.longest)) * (1 - 0.5 * PAIR_TURN);
-  const { share, widening } = drawnTone(profiles, 1 - clamp01(1 - tone) ** (1 / filled), young);
+  const drawnAs = (one: number): Drawn => {
+    const { share, widening } = drawnTone(profiles, 1 - clamp01(1 - one) ** (1 / filled), young);
+    return { bornOld: bornBelow(share), bornYoung: bornBelow(young * share), widening };
+  };
   return {
     ...hand,
-    ...{ period, apart, widening },
+    ...drawnAs(tone),
+    ...{ period, apart },
     spacing: powerOf2(octave) / perPixel,
-    bornOld: bornBelow(share),
-    bornYoung: bornBelow(young * share),
+    inShadow: inShadow && { ...drawnAs(inShadow.tone), takenAt: inShadow.takenAt },
   };
 }
 
@@ -243,6 +279,9 @@ interface Row {
   turn: number;
   bits: number;
   born: Pair;
+  bornInShadow: Pair;
+  /** The step to its nearest point, view space. */
+  middle: Vec3;
 }
 
 /**
@@ -257,12 +296,15 @@ export function strokesOnRow(rows: Rows, line: number, beyond = 0): RowStroke[] 
   const isYoung = place !== Math.floor(place);
   if (isYoung && place - Math.floor(place) !== 0.5) return [];
   const born = isYoung ? rows.bornYoung : rows.bornOld;
-  if (isYoung && !(born[0] > 0)) return [];
+  const { inShadow } = rows;
+  const bornInShadow = inShadow ? (isYoung ? inShadow.bornYoung : inShadow.bornOld) : born;
+  if (isYoung && !(born[0] > 0 || bornInShadow[0] > 0)) return [];
   const signed = numberOf(line, rows.repeat);
   const way = cells.hasSeams && signed < 0 ? -1 : 1;
   const number = signed === 0 ? 0 : way * signed;
   const row: Row = {
-    ...{ number: number / period, way, born },
+    ...{ number: number / period, way, born, bornInShadow },
+    middle: combined(line - value, cells.stepAcross, 0, cells.stepAcross),
     hash: hash01(number),
     turn: turnOf(number),
     bits: bitsOfLine(number),
@@ -277,14 +319,16 @@ export function strokesOnRow(rows: Rows, line: number, beyond = 0): RowStroke[] 
   return strokes;
 }
 
+const grownAt = ([below, range]: Pair, rank: number): number => clamp01((below - rank) / range);
+
 /** The stroke of a row at one of the coordinates along it; undefined for none. */
 function strokeOn(
   rows: Rows,
   row: Row,
-  { id, place, share, perPixel }: RowCoordinate,
+  { id, place, share, perPixel, step }: RowCoordinate,
   beyond: number,
 ): RowStroke | undefined {
-  const { profiles, cells, apart, spacing, widening, isDark } = rows;
+  const { profiles, cells, apart, spacing, isDark } = rows;
   const { count, filled, shorter, bundled } = profiles;
   // Rows are shifted by chance: any rule would show where their strokes end.
   const x = (row.way * place + strokeHash01(row.bits, 0) * cells.repeat) / cells.period;
@@ -301,15 +345,22 @@ function strokeOn(
   const chance = strokeHash01(row.bits, number);
   // Ranks are spread evenly over a surface: the first strokes lie on one of three neighbouring rows.
   const rank = fract(row.turn + strokeHash01(row.hash * 2 ** 32, number) / 3);
-  const there = Math.min(
+  const greatest = Math.min(
     clamp01(isPair ? 2 * turned - 1 : 1 - 2 * turned),
-    (row.born[0] - rank) / row.born[1],
     ((1 + AXIS_TURN) * share - fract(AXIS_HASH * chance)) / AXIS_TURN,
   );
-  if (!(there > 0)) return undefined;
+  if (!(greatest > 0)) return undefined;
   const size = filled * (1 - shorter * fract(SIZE_HASH * chance)) * (isPair ? cells.longest : 1);
+  const length = (isPair ? 2 : 1) * cells.period;
+  const inFull = (inCell - (1 - size) * fract(START_HASH * chance)) / size;
+  if (!(inFull > -beyond && inFull < 1 + beyond)) return undefined;
+  const { grown, start, end, widening } = grownPart(rows, row, rank, (at) =>
+    combined(1, row.middle, row.way * size * length * (at - inFull), step),
+  );
+  const there = Math.min(greatest, grown);
+  if (!(there > 0)) return undefined;
   // A stroke that is not there in full is shorter, and ends as the hand ends it.
-  const t = 0.5 + ((inCell - (1 - size) * fract(START_HASH * chance)) / size - 0.5) / there;
+  const t = (0.5 + (inFull - 0.5) / there - start) / (end - start);
   if (!(t > -beyond && t < 1 + beyond)) return undefined;
   const chosen = mix(0.5 * isDark, 1, rank) * (1 - SHAPES_OF_RANK) + SHAPES_OF_RANK * fract(SHAPE_HASH * chance);
   const shape = Math.min(Math.floor(count * chosen), count - 1);
@@ -325,15 +376,44 @@ function strokeOn(
   const [offset, width] = profileAt(profiles.strokes, shape, clamp01(t));
   const fromEnd = Math.max(Math.min(t, 1 - t), 0);
   const halfWidth = (width + widening * Math.min(1, WIDENED_ENDS * fromEnd)) * Math.min(1, there / WIDE_FROM) * spacing;
-  const length = (isPair ? 2 : 1) * cells.period;
   // Blunt ends are round, as the tip of a pen leaves them.
-  const cap = Math.max(1 - (fromEnd * there * size * length) / perPixel / Math.max(halfWidth, 0.5), 0);
+  const cap = Math.max(1 - (fromEnd * there * (end - start) * size * length) / perPixel / Math.max(halfWidth, 0.5), 0);
   return {
     ...{ coordinate: id, length, cell: number, t },
     shift: row.way * (aside + offset) * spacing,
     half: halfWidth * Math.sqrt(Math.max(1 - cap * cap, 0)),
   };
 }
+
+/**
+ * How far a stroke has grown, the part of it that shadows leave, and its widening. Of three thirds, those before the first and after the
+ * last that is there are gone.
+ *
+ * @param stepTo the step to a place along the stroke in full, from 0 to 1; view space
+ */
+function grownPart(
+  { widening, inShadow }: Rows,
+  { born, bornInShadow }: Row,
+  rank: number,
+  stepTo: (at: number) => Vec3,
+): { grown: number; start: number; end: number; widening: number } {
+  const lit = grownAt(born, rank);
+  const shaded = grownAt(bornInShadow, rank);
+  if (!inShadow || (lit === shaded && widening === inShadow.widening))
+    return { grown: lit, start: 0, end: 1, widening };
+  const taken = THIRDS.map((at) => inShadow.takenAt(stepTo(at)));
+  const thirds = taken.map((share) => mix(lit, shaded, share));
+  const grown = Math.max(...thirds);
+  const [before, between, after] = thirds.map((one) => 1 - one / Math.max(grown, 1e-6));
+  const lost = [before, after].map((gone) => (gone * (1 + between)) / 3);
+  // What is left is no fleck, but half a stroke at least.
+  const kept = Math.min(0.5 / Math.max(lost[0] + lost[1], 0.5), 1);
+  const mean = (taken[0] + taken[1] + taken[2]) / 3;
+  return { grown, start: kept * lost[0], end: 1 - kept * lost[1], widening: mix(widening, inShadow.widening, mean) };
+}
+
+/** The middles of the thirds of a stroke. */
+const THIRDS = [1 / 6, 1 / 2, 5 / 6] as const;
 
 /** How far a stroke lies aside of its row, in mean distances. lot: of the bundles of its row, from 0 to BUNDLED_ROWS − 1. */
 function bundledAside(number: number, apart: number, bundled: number, lot: number): number {

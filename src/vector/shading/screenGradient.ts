@@ -59,6 +59,13 @@ export function screenGradient(
   return [scale * (along[0] - centre[0] * along[2]), scale * (along[1] - centre[1] * along[2])];
 }
 
+/** A step on the tangent plane, in view space, from its pixels on the screen, which are turned as those of `screenGradient` are. */
+export const stepInView = ([x, y]: readonly [number, number], { normal, centre, scale }: ScreenMap): Vec3 => [
+  scale * (x * centre[0] * normal[1] + y * (normal[2] + centre[1] * normal[1])),
+  -scale * (x * (normal[2] + centre[0] * normal[0]) + y * centre[1] * normal[0]),
+  scale * (x * normal[1] - y * normal[0]),
+];
+
 /**
  * The direction on the picture, x to the right and y down, in which a function rises, from its gradient in space. Unit, or the null vector.
  */

@@ -89,4 +89,26 @@ export const hand: readonly Mutation[] = [
       title: 'the second layer of a hand is turned from the first as on the sheet',
     },
   },
+  {
+    name: 'hard edges of shadows cut the strokes of a hand',
+    file: 'shaders/chunks/handStrokes.glsl',
+    find: '((float(i) + 0.5) / 3.0 - t) * step',
+    replace: '0.0 * step',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/handStrokes.spec.ts',
+      title: 'strokes of a hand end at the hard edge of a shadow, and are not cut to flecks',
+    },
+  },
+  {
+    name: 'hard edges of shadows cut the strokes of a hand in vector files',
+    file: 'src/vector/shading/handStrokes.ts',
+    find: 'row.way * size * length * (at - inFull), step)',
+    replace: '0, step)',
+    caughtBy: {
+      layer: 'unit',
+      file: 'tests/unit/vector/shading/handStrokes.test.ts',
+      title: 'strokes at the hard edge of a shadow are there from half of their length to all of it',
+    },
+  },
 ];

@@ -173,6 +173,7 @@ const motion = (change: number) => ({ zoom: moved(change), camera: moved(change)
 const measured = {
   kind: 'rows' as const,
   whole: { sphere: { brush: [pictured(0.9, 0.7), pictured(0.85, 0.65), pictured(0.1, 0.1, 3)] } },
+  atShadows: { brush: [pictured(0.88, 0.58)] },
   tones: {
     wall: { brush: { 0.1: { blocks: 9, error: 0.01, bias: -0.01 }, 0.5: { blocks: 9, error: 0.02, bias: 0.01 } } },
   },

@@ -17,7 +17,8 @@ const profiles: StrokeProfiles = {
 
 /** Cells of length 2, of one stroke each. */
 const cellsAt = (place: number, hasSeams = false): Cells => ({
-  coordinates: [{ id: 0, place, share: 1, perPixel: 0.01, askew: 0 }],
+  coordinates: [{ id: 0, place, share: 1, perPixel: 0.01, askew: 0, step: [1, 0, 0] }],
+  stepAcross: [0, 1, 0],
   ...{ repeat: hasSeams ? 16 : 64, hasSeams, period: 2, paired: 0, longest: 1 },
 });
 
@@ -54,6 +55,30 @@ test('in lighter tones as many strokes are there as the hand says', () => {
     const found = there.filter(Boolean).length / all.filter(Boolean).length;
     expect(Math.abs(found - share), `${tone}: ${found}, not ${share}`).toBeLessThan(0.12 * share + 0.01);
   }
+});
+
+/** The lengths of strokes that stand in a shadow which begins at a place along the rows, and end or begin there; the lit tone is 0. */
+function lengthsAtEdge(edge: number): number[] {
+  return Array.from({ length: 12 }, (_, line) => {
+    const there = places.filter((place) => {
+      const hand = { profiles, cells: cellsAt(place), value: line, isDark: 0 as const, repeat: Infinity };
+      const takenAt = ([x]: readonly number[]): number => (place + x > edge ? 1 : 0);
+      return strokesOnRow(rowsFor(hand, 0, 0, 1 / 40, { tone: 1, takenAt }), line).length > 0;
+    });
+    const first = there[0];
+    const end = there.find((place, i) => i > 0 && place - there[i - 1] > 0.015 && place > edge) ?? Infinity;
+    return there.filter((place) => place >= first && place < end).length * 0.01;
+  });
+}
+
+test('strokes at the hard edge of a shadow are there from half of their length to all of it, and no strokes are in the light', () => {
+  const lengths = lengthsAtEdge(20);
+  const full = 0.75 * 2;
+  for (const length of lengths) {
+    expect(length).toBeGreaterThan(0.48 * full);
+    expect(length).toBeLessThan(1.03 * full);
+  }
+  expect(new Set(lengths.map((length) => length.toFixed(1))).size).toBeGreaterThan(2);
 });
 
 test('on the other side of a seam, where rows are numbered the other way, the strokes are the same', () => {
