@@ -70,7 +70,7 @@ test.beforeAll(() => {
 const MOST_BYTES = [
   ['HatchingMaterial', 'three-hatching', 18_000],
   ['HatchingMaterial, prepareHatchingGeometry, TonalArtMap', 'three-hatching', 34_700],
-  ['applyHatching', 'three-hatching', 29_100],
+  ['applyHatching', 'three-hatching', 29_000],
   ['Hatched', 'three-hatching/react', 35_800],
   ['drawSVG', 'three-hatching/svg', 60_200],
 ] as const;
