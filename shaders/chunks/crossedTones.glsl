@@ -16,13 +16,3 @@ PerToneNormal takenOf(const in PerToneNormal tone, const in float from) {
 PerToneNormal leftOf(const in PerToneNormal tone, const in PerToneNormal taken) {
   return max(tone - taken, 0.0) / max(1.0 - taken, 1e-4);
 }
-
-#ifdef SHADOWS_ALONG_STROKES
-  vec2 takenOf(const in vec2 tones, const in float from) {
-    return vec2(takenOf(tones.x, from), takenOf(tones.y, from));
-  }
-
-  vec2 leftOf(const in vec2 tones, const in vec2 taken) {
-    return vec2(leftOf(tones.x, taken.x), leftOf(tones.y, taken.y));
-  }
-#endif // SHADOWS_ALONG_STROKES

@@ -5,6 +5,51 @@
 #include "technique/strokeLengths"
 #include "technique/strokeHashes"
 
+#ifdef SHADOWS_ALONG_STROKES
+  // A tone without the shadows that are read along strokes, and that in all of them.
+  #define Tones vec2
+  #define litOf(tones) tones.x
+
+  // Both of these tones of a surface.
+  vec2 tonesOfShadows(const in HatchingSurface surface) {
+    sumCastLight(-vViewPosition);
+    vec2 here = openToLights() * castHere;
+    vec2 tones;
+    for (int i = 0; i < 2; i++) {
+      float radiance = surface.radiance - here.y + (i == 0 ? here.x : 0.0);
+      tones[i] = faded(deepened(darkenedByColor(toneFromRadiance(exposed(radiance)), surface)));
+    }
+    return tones;
+  }
+
+  vec2 handTone(const in float pressure, const in vec2 tones) {
+    return vec2(handTone(pressure, tones.x), handTone(pressure, tones.y));
+  }
+
+  vec2 takenOf(const in vec2 tones, const in float from) {
+    return vec2(takenOf(tones.x, from), takenOf(tones.y, from));
+  }
+
+  vec2 leftOf(const in vec2 tones, const in vec2 taken) {
+    return vec2(leftOf(tones.x, taken.x), leftOf(tones.y, taken.y));
+  }
+
+  float contrasted(const in float tone, const in float darkness);
+
+  float contrasted(const in vec2 tones, const in float darkness) {
+    return contrasted(mix(tones.x, tones.y, castHere.x > 0.0 ? 1.0 - castHere.y / castHere.x : 0.0), darkness);
+  }
+
+  float hatchLayer(const in HatchingParameters h, const in vec2 tones);
+
+  float hatchLayer(const in HatchingParameters h, const in float tone) {
+    return hatchLayer(h, vec2(tone));
+  }
+#else
+  #define Tones float
+  #define litOf(tones) tones
+#endif // SHADOWS_ALONG_STROKES
+
 // Each stroke: its offset across the row, and half of its width, in distances between rows. The last rows of the texture say how tones are
 // drawn: the share of strokes that are there, and what is added to their half widths.
 uniform sampler2D handStrokes;

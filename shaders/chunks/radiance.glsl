@@ -46,7 +46,7 @@ void addDirectRadiance(const in IncidentLight light, const in vec3 toViewer, ino
   #ifdef SEPARATES_SHADOWS
     surface.shadowed += (1.0 - lightShadow) * arriving;
     #ifdef SHADOWS_ALONG_STROKES
-      sentHere[lightsVisited] = arriving * vec2(1.0, lightShadow);
+      sent[lightsVisited] = vec2(1.0, lightShadow) * arriving;
     #endif // SHADOWS_ALONG_STROKES
     arriving *= lightShadow;
     #ifdef DISSOLVES_SHADOWS

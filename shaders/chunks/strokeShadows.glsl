@@ -7,17 +7,17 @@
   #include "shadowDepth"
 
   // The radiance that each light sends to this fragment, and what of it arrives, by the number of the light.
-  vec2 sentHere[LIGHTS_WITH_DIRECTION];
+  vec2 sent[LIGHTS_WITH_DIRECTION];
   // Their sums over the lights whose shadow maps are read.
   vec2 castHere = vec2(0.0);
 
   void sumCastLight(const in vec3 viewPosition) {
     if (!receiveShadow) return;
     IncidentLight light;
-    #define VISIT_SHADOW(number, map, matrix, shadow) castHere += sentHere[number];
+    #define VISIT_SHADOW(number, map, matrix, shadow) castHere += sent[number];
     #include "eachFlatShadow"
     #ifdef CUBE_SHADOW_MAP
-      #define VISIT_SHADOW(number, map, fromLight, shadow) castHere += sentHere[number];
+      #define VISIT_SHADOW(number, map, fromLight, shadow) castHere += sent[number];
       #include "eachCubeShadow"
     #endif // CUBE_SHADOW_MAP
   }
@@ -35,7 +35,7 @@
     vec3 up = (vec4(normal, 0.0) * viewMatrix).xyz;
     float taken = 0.0;
     IncidentLight light;
-    #define TAKEN(number, shadow, passing) taken += sentHere[number].x * shadow.shadowIntensity * (1.0 - passing);
+    #define TAKEN(number, shadow, passing) taken += sent[number].x * shadow.shadowIntensity * (1.0 - passing);
     #define VISIT_SHADOW(number, map, matrix, shadow) TAKEN(number, shadow, passesFlat(map, ShadowMapFacts(shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x, vec2(0.0)), matrix * vec4(point + shadow.shadowNormalBias * up, 1.0)))
     #include "eachFlatShadow"
     #ifdef CUBE_SHADOW_MAP

@@ -27,12 +27,6 @@ float handTone(const in float pressure, const in float tone) {
   return tone + pressure * tone * (1.0 - tone);
 }
 
-#ifdef SHADOWS_ALONG_STROKES
-  vec2 handTone(const in float pressure, const in vec2 tones) {
-    return tones + pressure * tones * (1.0 - tones);
-  }
-#endif // SHADOWS_ALONG_STROKES
-
 // A hash of a line in [0, 1). line: its value, a multiple of a power of two. It is multiplied by a number whose binary digits repeat the
 // given ones on both sides of the point, and the fraction is the hash.
 float hashBy(const in uint digits, const in float line) {

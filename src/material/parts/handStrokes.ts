@@ -8,15 +8,16 @@ import { surface } from './surface.js';
 /** Pixels to a millimetre of the sheet, where a material gives no width of strokes. */
 const PIXELS_PER_MILLIMETRE = 6;
 
-const { './chunks/handStrokes.glsl': rows, ...shadows } = import.meta.glob<string>(
-  './chunks/{handStrokes,strokeShadows}.glsl',
-  {
-    base: '../../../shaders',
-    query: '?raw',
-    import: 'default',
-    eager: true,
-  },
-);
+const {
+  './chunks/handStrokes.glsl': rows,
+  './chunks/handShadowStrokes.glsl': inShadows,
+  ...shadows
+} = import.meta.glob<string>('./chunks/{handStrokes,handShadowStrokes,strokeShadows}.glsl', {
+  base: '../../../shaders',
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
 
 const textures = new HandTextures();
 
@@ -25,6 +26,7 @@ export const part: MaterialPart = {
   surface,
   files: {
     ...shadows,
+    './chunks/shadowStrokes.glsl': inShadows,
     // Rows of strokes are drawn in the place of lines.
     './techniques/lines/ruledLines.glsl': [
       definesOf({ ...HAND_STROKE_CONSTANTS, ...HAND_TEXTURE }),

@@ -21,7 +21,7 @@ const files: ShaderFiles = import.meta.glob(
   [
     './hatching.*',
     './{chunks,environment,shadowMaps}/*',
-    '!./chunks/{dryMedia,tooth,handStrokes,strokeShadows,lineCoverage,meanLight,metal,softShadows,shadowSearch}.glsl',
+    '!./chunks/{dryMedia,tooth,handStrokes,handShadowStrokes,strokeShadows,lineCoverage,meanLight,metal,softShadows,shadowSearch}.glsl',
     '!./chunks/{ink,largestComponents,levelByDepth,lightOrientation,thresholdMap}.glsl',
     './perFragment/*',
     '!./perFragment/screenGradient.glsl',

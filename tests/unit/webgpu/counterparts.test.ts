@@ -47,7 +47,7 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
   ],
   [/^chunks\/plainColor\.glsl$/, 'its nodes compute the darkness at fragments'],
   [/^chunks\/darkenedByColor\.glsl$/, 'its function is in chunks/tone.ts'],
-  [/^chunks\/(handStrokes|strokeShadows)\.glsl$/, 'only WebGLRenderer draws the strokes of a hand'],
+  [/^chunks\/(handStrokes|handShadowStrokes|strokeShadows)\.glsl$/, 'only WebGLRenderer draws the strokes of a hand'],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs outlines of nodes, and outlines/outlineNodes.ts clips them'],
 ];
 
