@@ -53,7 +53,7 @@ export interface Picture {
   /** Differences from the preset. */
   material?: HatchingPreset['material'];
   outlines?: HatchingPreset['outlines'];
-  /** The hand whose strokes are drawn in place of the preset's; its swatches stand above the picture. */
+  /** The hand that draws, in whole strokes; its swatches stand above the picture. */
   hand?: ExampleHandName;
 }
 
@@ -199,8 +199,7 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
   const preset = presets[picture.preset];
   const look = {
     ...preset,
-    ...(picture.hand && { tonalArtMap: { hand: exampleHand(picture.hand), size: 512, strokeTexels: 2.6 } }),
-    material: { ...(picture.hand ? lookOfHand(preset) : preset.material), ...picture.material },
+    material: { ...preset.material, ...(picture.hand && drawnBy(picture.hand)), ...picture.material },
     outlines: { ...preset.outlines, ...picture.outlines },
   };
   const scaled = scalePreset(look, SUPERSAMPLING * pixelRatio);
@@ -254,11 +253,13 @@ async function createDrawing(picture: Picture, content: string): Promise<Drawing
   };
 }
 
-/** A preset with the strokes of a map. */
-function lookOfHand({ material }: HatchingPreset): HatchingPreset['material'] {
-  const { ink, paper, toneCurve, reflectedLight, composition, colorHatching, colorFill, hollowStrength } = material;
-  const tones = { toneCurve, reflectedLight, composition, colorHatching, colorFill, hollowStrength };
-  return { technique: 'hatching', screenSpaceShare: 1, ink, paper, ...tones };
+/** Pixels of the picture to a millimetre of a hand's sheet. */
+const PIXELS_PER_MILLIMETRE = 3.4;
+
+/** The strokes of a hand, all hands at one scale. */
+function drawnBy(name: ExampleHandName): HatchingPreset['material'] {
+  const hand = exampleHand(name);
+  return { hand, strokeWidth: PIXELS_PER_MILLIMETRE * hand.numbers.width };
 }
 
 const SUN_DISTANCE = 3;

@@ -25,8 +25,6 @@ const viewAt = (degrees) => [
   0.15,
   Math.cos(((30 + degrees) * Math.PI) / 180),
 ];
-/** Hands, and the width of their strokes on the sheet: a brush is broader than a pen. */
-const HANDS = { finePen: 1.15, brush: 2.3, reedPen: 1.8, scribble: 1.2 };
 const FILLS = [
   { light: [1, 1.1, 0.5], strength: 0.3 },
   { light: [0.2, 0.8, 1], strength: 0.15 },
@@ -86,19 +84,6 @@ export const plansOf = (presets, techniques) => ({
         occlusion: 0.6,
       })),
     ),
-  },
-  hands: {
-    columns: 2,
-    pictures: Object.entries(HANDS).map(([hand, strokeWidth]) => ({
-      ...HAND,
-      zoom: 0.95,
-      hand,
-      preset: 'pen',
-      width: 480,
-      height: 560,
-      pixelRatio: 1.2,
-      material: { strokeWidth },
-    })),
   },
   techniques: {
     columns: techniques.length,
@@ -258,6 +243,20 @@ const JUDGED = [
 export const swatchPlan = (hands) => ({
   columns: 3,
   pictures: hands.map((hand) => ({ swatchesOf: hand, preset: 'pen', width: 620, height: 256 })),
+});
+
+/**
+ * The sheet of all hands: the swatches of each, and a ball that it has drawn.
+ *
+ * @param {string[]} hands the names of the example hands
+ * @returns {Plan}
+ */
+export const handPlan = (hands) => ({
+  columns: 4,
+  pictures: hands.map((hand) => ({
+    ...{ subject: 'ball', preset: 'pen', hand, view: [0.1, 0.25, 1], light: [-1, 1.1, 0.9], zoom: 0.9 },
+    ...{ width: 360, height: 360, pixelRatio: 1 },
+  })),
 });
 
 /**

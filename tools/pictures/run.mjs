@@ -19,7 +19,7 @@ import { drawExamples } from './examples.mjs';
 import { drawFlat } from './flat.mjs';
 import { drawFound } from './found.mjs';
 import { drawGallery } from './gallery.mjs';
-import { lookPlans, movingHero, plansOf, SUBJECT_FILES, swatchPlan } from './plans.mjs';
+import { handPlan, lookPlans, movingHero, plansOf, SUBJECT_FILES, swatchPlan } from './plans.mjs';
 import { readmeLines, THREE_LINES_SIZE } from './readmeLines.mjs';
 import { sheetOf } from './sheetOf.mjs';
 import { drawShow } from './show.mjs';
@@ -47,6 +47,7 @@ const { exampleHandNames } = await server.ssrLoadModule('/src/strokes/hands/exam
 const PLANS = {
   ...plansOf(Object.keys(presets), HATCHING_PROPERTIES.technique.choices),
   swatches: swatchPlan(exampleHandNames),
+  hands: handPlan(exampleHandNames),
 };
 const unknown = wanted.find(
   (name) =>

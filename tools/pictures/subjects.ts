@@ -30,6 +30,7 @@ const subjects = {
     },
   },
   bunny: { load: () => builtIn('bunny') },
+  ball: { load: async () => new Mesh(new SphereGeometry(1, 128, 64), paper()) },
   suzanne: { load: () => builtIn('suzanne') },
   teapot: { load: () => builtIn('teapot') },
   hand: { load: async () => meshOf(await loadHand(), true) },
