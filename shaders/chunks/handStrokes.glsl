@@ -86,6 +86,13 @@ bool isFirst(const in HatchingParameters h, const in Family family) {
 }
 
 #ifdef SHADOWS_ALONG_STROKES
+  // The Jacobian of the map from pixels to the tangent plane in view space. normal: view space, of any length.
+  mat2x3 tangentOnScreen(const in vec3 normal) {
+    vec2 centre = centreOfScreen();
+    float facing = abs(dot(normal, vec3(centre, 1.0)));
+    return screenMapOf(normal * (vViewUnitsPerPixel / max(facing, LEAST_FACING * length(normal))), centre, mat3(1.0));
+  }
+
   // The view-space step along a row while a place grows by 1. change: of the place, on the screen. ofRow: the way of the row on the screen.
   vec3 stepOf(const in mat2x3 inView, const in vec2 change, const in vec2 ofRow, const in float least) {
     float perPixel = dot(change, ofRow);
@@ -121,7 +128,7 @@ Cells cellsFor(const in HatchingParameters h, const in Family family) {
   cells.askew = vec2(dot(first, across), dot(second, across)) / max(family.perPixel, 1e-12);
   #ifdef SHADOWS_ALONG_STROKES
     cells.normal = safeNormalize(vFieldNormal) * (objectToField * readViewToAnchor());
-    mat2x3 inView = screenMapInView(cells.normal, mat3(1.0));
+    mat2x3 inView = tangentOnScreen(cells.normal);
     vec2 ofRow = vec2(-across.y, across.x);
     cells.steps[0] = stepOf(inView, first, ofRow, 0.1 * cells.perPixel);
     cells.steps[1] = stepOf(inView, second, ofRow, 0.1 * cells.perPixel);

@@ -48,7 +48,7 @@ float hatchLayer(const in HatchingParameters h, const in Tones tone) {
     Tones second = takenOf(others, THIRD_FROM);
     Tones third = leftOf(others, second);
     float blank = 1.0;
-    int passes = third > LEAST_TONE ? 2 : 1;
+    int passes = dot(third, Tones(1.0)) > LEAST_TONE ? 2 : 1;
     for (int i = 0; i < passes; i++) {
       bool isOther = i == 1;
       vec2 lean = isOther ? -layerTurns.zw : layerTurns.xy;

@@ -5,6 +5,8 @@ import { type PictureRange, type PlainMesh, triangleCount } from './PlainMesh.js
  * side is outside. More of them look like edges at which surfaces end, and have outlines.
  */
 const HARMLESS_SHARE = 0.02;
+/** Backs of sheets lie side by side: at least so many of their edges per triangle are shared. Flaps of scans share a tenth of that. */
+const SHEET = 0.3;
 /** Large meshes are tested by one triangle in this many first. */
 const SAMPLE = 16;
 const FEW = 100_000;
@@ -14,7 +16,7 @@ const FEW = 100_000;
  * for a minute without any visible effect.
  *
  * @param isSided whether triangles of opposite winding differ; false where surfaces are drawn from both sides, so that a sheet with a copy
- * for its back is drawn once
+ * for its back is drawn once. Flaps of a scan, whose two triangles close it, stay
  * @returns the mesh, with the first of each, and the number left out
  */
 export function dropDuplicates(mesh: PlainMesh, isSided = true): { mesh: PlainMesh; duplicates: number } {
@@ -26,23 +28,42 @@ export function dropDuplicates(mesh: PlainMesh, isSided = true): { mesh: PlainMe
     const isEven = looked > (1 - HARMLESS_SHARE / 2) * (total / SAMPLE);
     if (isEven && looked - kept.length / 3 < (HARMLESS_SHARE / 2) * looked) return { mesh, duplicates: 0 };
   }
-  const { kept, ranges } = distinct(mesh, corners, 1);
-  const duplicates = total - kept.length / 3;
+  const { kept, ranges, dropped } = distinct(mesh, corners, 1);
+  const duplicates = dropped.length;
   if (duplicates <= HARMLESS_SHARE * total) return { mesh, duplicates: 0 };
+  if (!isSided && !areSheets(corners, dropped)) return dropDuplicates(mesh);
   return { mesh: { ...mesh, indices: kept.slice(), ...(mesh.ranges && { ranges }) }, duplicates };
+}
+
+/** Whether triangles, given by their first corners, lie side by side. Several in one place count once. */
+function areSheets(corners: Corners, triangles: readonly number[]): boolean {
+  const places = new Set<number>();
+  const edges = new Set<number>();
+  let shared = 0;
+  for (const corner of triangles) {
+    const place = corners.hashOf(corner, corners.firstOf(corner));
+    if (places.has(place)) continue;
+    places.add(place);
+    for (let k = 0; k < 3; k++) {
+      const edge = corners.edgeAt(corner, k);
+      if (edges.has(edge)) shared++;
+      else edges.add(edge);
+    }
+  }
+  return shared >= SHEET * places.size;
 }
 
 /**
  * The first of each set of equal triangles, rotated so that equal ones begin with the same corner.
  *
  * @param sample tests only triangles whose corner mix is divisible by it, which keeps duplicates together. A power of two
- * @returns the number tested, and the vertices and ranges of those kept
+ * @returns the number tested, the vertices and ranges of those kept, and the first corners of the others
  */
 function distinct(
   mesh: PlainMesh,
   corners: Corners,
   sample: number,
-): { looked: number; kept: Uint32Array; ranges: PictureRange[] } {
+): { looked: number; kept: Uint32Array; ranges: PictureRange[]; dropped: number[] } {
   const total = triangleCount(mesh);
   // The factor allows for uneven hashes.
   const room = sample === 1 ? total : Math.ceil((2 * total) / sample);
@@ -52,6 +73,7 @@ function distinct(
   /** Hashes of the kept triangles, which tell most triangles apart that share a table slot. */
   const hashes = new Int32Array(room);
   const ranges: PictureRange[] = [];
+  const dropped: number[] = [];
   let looked = 0;
   let length = 0;
   for (const range of mesh.ranges ?? [{ start: 0, count: 3 * total, picture: -1 }]) {
@@ -67,14 +89,17 @@ function distinct(
         if (hashes[at / 3] === hash && at >= first && corners.areEqual(kept, at, corner, turn)) break;
         slot = (slot + 1) & mask;
       }
-      if (table[slot] !== -1) continue;
+      if (table[slot] !== -1) {
+        dropped.push(corner);
+        continue;
+      }
       table[slot] = length;
       hashes[length / 3] = hash;
       for (let k = 0; k < 3; k++) kept[length++] = corners.vertexAt(corner + ((turn + k) % 3));
     }
     if (length > first) ranges.push({ ...range, start: first, count: length - first });
   }
-  return { looked, kept: kept.subarray(0, length), ranges };
+  return { looked, kept: kept.subarray(0, length), ranges, dropped };
 }
 
 const mixed = (hash: number, next: number): number => Math.imul(hash ^ next, 0x85ebca6b) ^ (hash >>> 13);
@@ -112,6 +137,13 @@ class Corners {
 
   vertexAt(corner: number): number {
     return this.indices ? this.indices[corner] : corner;
+  }
+
+  /** A hash of the edge from a corner of a triangle to the next, in either direction. */
+  edgeAt(corner: number, k: number): number {
+    const a = this.hashes[this.vertexAt(corner + k)];
+    const b = this.hashes[this.vertexAt(corner + ((k + 1) % 3))];
+    return mixed((a + b) | 0, a ^ b);
   }
 
   /** The corner with which a triangle begins: the same for equal triangles, whatever their order in the file. */

@@ -34,14 +34,26 @@ test('a triangle with the opposite winding is another one', () => {
 
 test('where surfaces have no sides the back of a sheet is a duplicate, whichever corner it begins with', () => {
   for (const back of [
-    [A, C, B],
-    [C, B, A],
-    [B, A, C],
+    [A, C, B, B, C, D],
+    [C, B, A, C, D, B],
+    [B, A, C, D, B, C],
   ]) {
-    const { mesh: left, duplicates } = dropDuplicates(mesh([A, B, C, ...back, A, B, D, A, C, D].flat()), false);
-    expect(duplicates).toBe(1);
-    expect(left.indices).toHaveLength(9);
+    const sheet = mesh([A, B, C, B, D, C, ...back].flat());
+    const { mesh: left, duplicates } = dropDuplicates(sheet, false);
+    expect(duplicates).toBe(2);
+    expect(left.indices).toHaveLength(6);
+    expect(dropDuplicates(sheet)).toEqual({ mesh: sheet, duplicates: 0 });
   }
+});
+
+test('flaps that stand alone keep both sides, which close a surface, but no copies of one', () => {
+  const flaps = Array.from({ length: 20 }, (_, i) => {
+    const [one, other, tip] = [A, B, C].map(([x, y, z]) => [x + 3 * i, y, z]);
+    return [one, other, tip, one, tip, other, tip, other, one];
+  });
+  const scan = mesh(flaps.flat(2));
+  expect(dropDuplicates(scan, false)).toEqual(dropDuplicates(scan));
+  expect(dropDuplicates(scan).duplicates).toBe(20);
 });
 
 test('triangles that differ in colours, texture coordinates or pictures are kept', () => {
