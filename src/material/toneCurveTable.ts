@@ -4,7 +4,8 @@ import { type FittedToneCurve, fittedCurve, type ToneCurve } from './fitToneCurv
 /** The number of light tones, evenly from 0 to 1, that a table has printed tones for. */
 export const TONE_CURVE_TEXELS = 1024;
 
-const newTable = (): DataTexture => {
+/** A table of zeros. */
+export const blankTable = (): DataTexture => {
   const table = new DataTexture(new Uint16Array(TONE_CURVE_TEXELS), TONE_CURVE_TEXELS, 1, RedFormat, HalfFloatType);
   table.magFilter = table.minFilter = LinearFilter;
   return table;
@@ -36,16 +37,13 @@ export function writeCurveUniforms(curve: ToneCurve, { toneCurveTable: u }: Reco
   const fitted = fittedCurve(curve);
   if (!fitted) return;
   if (curve === 'printed') {
-    printed ??= fill(newTable(), fitted);
+    printed ??= fill(blankTable(), fitted);
     if (u.value !== printed) disposeTable(u);
     u.value = printed;
-  } else u.value = fill(u.value === null || u.value === printed ? newTable() : u.value, fitted);
+  } else u.value = fill(u.value === null || u.value === printed ? blankTable() : u.value, fitted);
 }
 
 /** Frees the table of a material, unless others share it. */
 export function disposeTable({ value }: IUniform): void {
   if (value !== printed) value?.dispose();
 }
-
-/** Placeholder for a table. */
-export const blankTable = newTable;

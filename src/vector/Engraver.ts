@@ -116,7 +116,7 @@ export class Engraver {
     const [crossC, thirdC] = [across, back].map((lean): Lean => ({ ...lean, side: 'C' }));
     const first: Lean = { cosine: 1, sine: 0, side: null };
     this.leans = { first, crossB, crossC, thirdB, thirdC, shadowB: thirdB, shadowC: thirdC };
-    this.families = this.familiesOf();
+    this.families = FAMILIES.filter((family) => this.mayHave(family));
   }
 
   /** Whether values jump across seams, so that vertices at one place may have several. */
@@ -133,17 +133,15 @@ export class Engraver {
     return this.look.hand !== null;
   }
 
-  private familiesOf(): readonly FamilyName[] {
+  private mayHave(family: FamilyName): boolean {
     const { crossFrom, crossesInShadows, technique } = this.look;
-    return FAMILIES.filter((name) => {
-      if (name === 'first') return true;
-      // Only one family crosses lines that follow the form.
-      if (this.cut === null && name.endsWith('C')) return false;
-      if (name.startsWith('shadow')) return crossesInShadows;
-      if (name.startsWith('third') && technique !== 'pen') return false;
-      // Where the first family has no lines, others take its tone.
-      return crossFrom < 1 || this.cut !== null;
-    });
+    if (family === 'first') return true;
+    // Only one family crosses lines that follow the form.
+    if (this.cut === null && family.endsWith('C')) return false;
+    if (family.startsWith('shadow')) return crossesInShadows;
+    if (family.startsWith('third') && technique !== 'pen') return false;
+    // Where the first family has no lines, others take its tone.
+    return crossFrom < 1 || this.cut !== null;
   }
 
   /** Computes what all families share at a place. */

@@ -59,8 +59,8 @@ export const repair: readonly Mutation[] = [
   {
     name: 'a few duplicates are left out, too',
     file: 'src/viewer/files/mesh/dropDuplicates.ts',
-    find: 'duplicates <= HARMLESS_SHARE * total',
-    replace: 'duplicates <= 0',
+    find: 'found.dropped.length <= HARMLESS_SHARE * total',
+    replace: 'found.dropped.length <= 0',
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/viewer/files/mesh/dropDuplicates.test.ts',

@@ -20,19 +20,25 @@ const FEW = 100_000;
  * @returns the mesh, with the first of each, and the number left out
  */
 export function dropDuplicates(mesh: PlainMesh, isSided = true): { mesh: PlainMesh; duplicates: number } {
+  const corners = new Corners(mesh);
+  let found = withoutDuplicates(mesh, corners, isSided);
+  if (found && !isSided && !areSheets(corners, found.dropped)) found = withoutDuplicates(mesh, corners, true);
+  if (!found) return { mesh, duplicates: 0 };
+  const { kept, ranges, dropped } = found;
+  return { mesh: { ...mesh, indices: kept.slice(), ...(mesh.ranges && { ranges }) }, duplicates: dropped.length };
+}
+
+/** What is left without duplicates; null where there are few. */
+function withoutDuplicates(mesh: PlainMesh, corners: Corners, isSided: boolean): Distinct | null {
   const total = triangleCount(mesh);
-  const corners = new Corners(mesh, isSided);
   if (total > FEW) {
-    const { looked, kept } = distinct(mesh, corners, SAMPLE);
+    const { looked, dropped } = distinct(mesh, corners, isSided, SAMPLE);
     // If far fewer were tested than expected, the sample may have missed many copies of one triangle.
     const isEven = looked > (1 - HARMLESS_SHARE / 2) * (total / SAMPLE);
-    if (isEven && looked - kept.length / 3 < (HARMLESS_SHARE / 2) * looked) return { mesh, duplicates: 0 };
+    if (isEven && dropped.length < (HARMLESS_SHARE / 2) * looked) return null;
   }
-  const { kept, ranges, dropped } = distinct(mesh, corners, 1);
-  const duplicates = dropped.length;
-  if (duplicates <= HARMLESS_SHARE * total) return { mesh, duplicates: 0 };
-  if (!isSided && !areSheets(corners, dropped)) return dropDuplicates(mesh);
-  return { mesh: { ...mesh, indices: kept.slice(), ...(mesh.ranges && { ranges }) }, duplicates };
+  const found = distinct(mesh, corners, isSided, 1);
+  return found.dropped.length <= HARMLESS_SHARE * total ? null : found;
 }
 
 /** Whether triangles, given by their first corners, lie side by side. Several in one place count once. */
@@ -41,7 +47,7 @@ function areSheets(corners: Corners, triangles: readonly number[]): boolean {
   const edges = new Set<number>();
   let shared = 0;
   for (const corner of triangles) {
-    const place = corners.hashOf(corner, corners.firstOf(corner));
+    const place = corners.hashOf(corner, corners.firstOf(corner), false);
     if (places.has(place)) continue;
     places.add(place);
     for (let k = 0; k < 3; k++) {
@@ -53,17 +59,23 @@ function areSheets(corners: Corners, triangles: readonly number[]): boolean {
   return shared >= SHEET * places.size;
 }
 
+/** The result of a search for equal triangles. */
+interface Distinct {
+  /** The number tested. */
+  looked: number;
+  /** The vertices and ranges of those kept. */
+  kept: Uint32Array;
+  ranges: PictureRange[];
+  /** The first corners of the others. */
+  dropped: number[];
+}
+
 /**
  * The first of each set of equal triangles, rotated so that equal ones begin with the same corner.
  *
  * @param sample tests only triangles whose corner mix is divisible by it, which keeps duplicates together. A power of two
- * @returns the number tested, the vertices and ranges of those kept, and the first corners of the others
  */
-function distinct(
-  mesh: PlainMesh,
-  corners: Corners,
-  sample: number,
-): { looked: number; kept: Uint32Array; ranges: PictureRange[]; dropped: number[] } {
+function distinct(mesh: PlainMesh, corners: Corners, isSided: boolean, sample: number): Distinct {
   const total = triangleCount(mesh);
   // The factor allows for uneven hashes.
   const room = sample === 1 ? total : Math.ceil((2 * total) / sample);
@@ -82,11 +94,11 @@ function distinct(
     for (let corner = start; corner < start + count && length < kept.length; corner += 3) {
       if (sample > 1 && (corners.mixOf(corner) & (sample - 1)) !== 0) continue;
       const turn = corners.firstOf(corner);
-      const hash = corners.hashOf(corner, turn) ^ picture;
+      const hash = corners.hashOf(corner, turn, isSided) ^ picture;
       looked++;
       let slot = hash & mask;
       for (let at = table[slot]; at !== -1; at = table[slot]) {
-        if (hashes[at / 3] === hash && at >= first && corners.areEqual(kept, at, corner, turn)) break;
+        if (hashes[at / 3] === hash && at >= first && corners.areEqual(kept, at, corner, turn, isSided)) break;
         slot = (slot + 1) & mask;
       }
       if (table[slot] !== -1) {
@@ -102,6 +114,7 @@ function distinct(
   return { looked, kept: kept.subarray(0, length), ranges, dropped };
 }
 
+/** A hash with another number mixed into it. */
 const mixed = (hash: number, next: number): number => Math.imul(hash ^ next, 0x85ebca6b) ^ (hash >>> 13);
 
 /** The corners of a mesh, compared by everything that is drawn of them. */
@@ -112,10 +125,7 @@ class Corners {
   /** The bits of each attribute, and its components per vertex. */
   private readonly values: readonly { bits: Uint32Array; size: number }[];
 
-  constructor(
-    { positions, colors, uvs, indices }: PlainMesh,
-    private readonly isSided: boolean,
-  ) {
+  constructor({ positions, colors, uvs, indices }: PlainMesh) {
     this.indices = indices;
     const bits = (values: Float32Array): Uint32Array =>
       new Uint32Array(values.buffer, values.byteOffset, values.length);
@@ -167,21 +177,23 @@ class Corners {
     return mixed ^ (mixed >>> 16);
   }
 
-  hashOf(corner: number, turn: number): number {
-    const hashAt = (k: number): number => this.hashes[this.vertexAt(corner + ((turn + k) % 3))];
-    const [second, third] = [hashAt(1), hashAt(2)];
-    const isReversed = !this.isSided && third < second;
-    let hash = mixed(0, hashAt(0));
-    hash = mixed(hash, isReversed ? third : second);
-    hash = mixed(hash, isReversed ? second : third);
+  /** A hash of a triangle, the same for both windings if these do not count. */
+  hashOf(corner: number, turn: number, isSided: boolean): number {
+    const first = this.hashes[this.vertexAt(corner + turn)];
+    const second = this.hashes[this.vertexAt(corner + ((turn + 1) % 3))];
+    const third = this.hashes[this.vertexAt(corner + ((turn + 2) % 3))];
+    const isReversed = !isSided && third < second;
+    const hash = mixed(mixed(mixed(0, first), isReversed ? third : second), isReversed ? second : third);
     return hash ^ (hash >>> 16);
   }
 
   /** Whether a kept triangle equals the one that begins at a corner. */
-  areEqual(kept: Uint32Array, at: number, corner: number, turn: number): boolean {
-    const isAt = (k: number, place: number): boolean =>
-      this.areSame(kept[at + k], this.vertexAt(corner + ((turn + place) % 3)));
-    return isAt(0, 0) && ((isAt(1, 1) && isAt(2, 2)) || (!this.isSided && isAt(1, 2) && isAt(2, 1)));
+  areEqual(kept: Uint32Array, at: number, corner: number, turn: number, isSided: boolean): boolean {
+    const second = this.vertexAt(corner + ((turn + 1) % 3));
+    const third = this.vertexAt(corner + ((turn + 2) % 3));
+    if (!this.areSame(kept[at], this.vertexAt(corner + turn))) return false;
+    if (this.areSame(kept[at + 1], second) && this.areSame(kept[at + 2], third)) return true;
+    return !isSided && this.areSame(kept[at + 1], third) && this.areSame(kept[at + 2], second);
   }
 
   private areSame(a: number, b: number): boolean {
