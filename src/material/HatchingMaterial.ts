@@ -60,7 +60,7 @@ import { plainShaders } from './shaders/plainShaders.js';
 import type { TonalArtMap } from './tam/TonalArtMap.js';
 import { defineRigid, keepHooks, RendererKind } from './three/hooks.js';
 import { MeshUniforms } from './three/MeshUniforms.js';
-import { disposeTable, writeCurveUniforms } from './toneCurveTable.js';
+import { writeCurveUniforms } from './toneCurveTable.js';
 
 /** Properties beside those of the table that three.js copies in `ShaderMaterial.copy`. */
 // biome-ignore format: one line
@@ -364,7 +364,7 @@ export class HatchingMaterial extends PropertyFields {
 
   override dispose(): void {
     super.dispose();
-    disposeTable(this.uniforms.toneCurveTable);
+    this.uniforms.toneCurveTable.value?.dispose();
   }
 
   /** The JSON of three's own materials, and every property that is not at its default. The tonal art map is left out. */

@@ -29,21 +29,22 @@ function fill(table: DataTexture, fitted: FittedToneCurve): DataTexture {
   return table;
 }
 
-/** The table of `'printed'`, the curve of most looks. Shared and never disposed of. */
-let printed: DataTexture | undefined;
+/** The texels of `'printed'`, the curve of most looks. Tables share them, and three.js uploads them once for each renderer. */
+let printed: DataTexture['source'] | undefined;
 
 /** Writes the table of a tone curve through points; a curve that the shader computes changes nothing. */
 export function writeCurveUniforms(curve: ToneCurve, { toneCurveTable: u }: Record<string, IUniform>): void {
   const fitted = fittedCurve(curve);
   if (!fitted) return;
-  if (curve === 'printed') {
-    printed ??= fill(blankTable(), fitted);
-    if (u.value !== printed) disposeTable(u);
-    u.value = printed;
-  } else u.value = fill(u.value === null || u.value === printed ? blankTable() : u.value, fitted);
-}
-
-/** Frees the table of a material, unless others share it. */
-export function disposeTable({ value }: IUniform): void {
-  if (value !== printed) value?.dispose();
+  const wasPrinted = u.value !== null && u.value.source === printed;
+  if (curve !== 'printed') {
+    if (wasPrinted) u.value.dispose();
+    u.value = fill(wasPrinted ? blankTable() : (u.value ?? blankTable()), fitted);
+  } else if (!wasPrinted) {
+    u.value?.dispose();
+    printed ??= fill(blankTable(), fitted).source;
+    u.value = blankTable();
+    u.value.source = printed;
+    u.value.version = 1;
+  }
 }

@@ -59,7 +59,7 @@ import { accessorOf, fieldOf } from '../material/propertyAccessors.js';
 import { type HatchingMap, withVectors } from '../material/propertyValues.js';
 import { TONE_CURVES } from '../material/shaders/defineNames.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
-import { disposeTable, writeCurveUniforms } from '../material/toneCurveTable.js';
+import { writeCurveUniforms } from '../material/toneCurveTable.js';
 import { maxTextureSize, warnOnce } from './deviceLimits.js';
 import { dotLayerOf, exposureReady, patternReady, writeExposure, writePattern } from './fetchedCode.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
@@ -325,7 +325,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
 
   override dispose(): void {
     super.dispose();
-    disposeTable(this.uniforms.toneCurveTable);
+    this.uniforms.toneCurveTable.value?.dispose();
   }
 
   /** Builds nodes for the current choices. @internal */

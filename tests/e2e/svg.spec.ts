@@ -166,7 +166,7 @@ test('strokes of a map leave as a picture below the outlines, which are not in i
   await page.getByLabel('SVG', { exact: true }).selectOption('One pen, for a plotter');
   const pen = await savedSvg(page);
   await expect(page.locator('#status')).toHaveText(
-    /^Saved as SVG without its strokes, which a pen cannot draw: 120 × 80 mm, \d+ paths\.$/,
+    /^Saved as SVG without its strokes, which a pen cannot draw: 120 × 80 mm, \d+ paths, \d\.\d m of line, about \d+ min on an AxiDraw\.$/,
   );
   expect(layersOf(pen)).toEqual(['1 outlines']);
   await openPlayground(page, `${STROKES}&outlines=off&pictureSvg=pen`);
