@@ -11,7 +11,7 @@ import { finishPaths, joinedInk, type PathCounts, type Placement, type WrittenPa
 import { limitPasses, type Penned } from './plot/limitPasses.js';
 import { type FileLayer, fileLayers } from './plot/penLayers.js';
 import { LAYERS, type PenPart, penWidth, thickestPen } from './plot/pens.js';
-import { plotSeconds } from './plot/plotTime.js';
+import { plotTimes } from './plot/plotTime.js';
 import { filesOfPens, plotterFile, plotterLayers } from './plot/plotterLayers.js';
 import { writeDxf } from './plot/writeDxf.js';
 
@@ -58,6 +58,8 @@ export interface DrawnLayer extends PathCounts {
   pen: number | null;
   /** The estimated time of plotting, seconds; null where paths are filled. */
   plotSeconds: number | null;
+  /** The time from the beginning of the layer at which each path is drawn, seconds; null where paths are filled. */
+  pathSeconds: Float64Array | null;
 }
 
 /** A drawing with its statistics. */
@@ -149,7 +151,8 @@ function written(
   const picture = plan.picture === null ? null : { url: plan.picture, x, y, width, height };
   const counts = { ...NOTHING };
   const layers = finished.map(({ layer: { name, ink, pen, speed }, written, counts }): DrawnLayer => {
-    return { name, ink, pen, ...counts, plotSeconds: pen === null ? null : plotSeconds(written, plotter, speed) };
+    const pathSeconds = pen === null ? null : plotTimes(written, plotter, speed);
+    return { name, ink, pen, ...counts, pathSeconds, plotSeconds: pathSeconds && (pathSeconds.at(-1) ?? 0) };
   });
   for (const layer of layers)
     for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += layer[name];

@@ -257,7 +257,7 @@ test('the drawing leaves as lines: an SVG in millimetres, filled for print or fo
   const canvas = (await page.locator('canvas').first().boundingBox())!;
   expect(Number(/width="([\d.]+)mm"/.exec(print)![1])).toBeCloseTo((canvas.width / 96) * 25.4, 0);
   expect(print).toContain('<rect');
-  await page.getByLabel('SVG', { exact: true }).selectOption('One pen, for a plotter');
+  await page.getByLabel('SVG', { exact: true }).selectOption('Lines, for a pen plotter');
   await page.getByLabel('Size', { exact: true }).first().selectOption('A5 sheet');
   const pen = await savedAs();
   const sheet = /width="([\d.]+)mm" height="([\d.]+)mm"/.exec(pen)!.slice(1).map(Number);

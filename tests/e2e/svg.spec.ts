@@ -163,7 +163,7 @@ test('strokes of a map leave as a picture below the outlines, which are not in i
   expect(clear).not.toContain('<rect');
   expect(pictureIn(clear)!.data[3]).toBe(0);
 
-  await page.getByLabel('SVG', { exact: true }).selectOption('One pen, for a plotter');
+  await page.getByLabel('SVG', { exact: true }).selectOption('Lines, for a pen plotter');
   const pen = await savedSvg(page);
   await expect(page.locator('#status')).toHaveText(
     /^Saved as SVG without its strokes, which a pen cannot draw: 120 × 80 mm, \d+ paths, \d\.\d m of line, about \d+ min on an AxiDraw\.$/,
@@ -175,6 +175,49 @@ test('strokes of a map leave as a picture below the outlines, which are not in i
   await expect(page.locator('#status')).toHaveText(
     'That did not work: there are no lines: the strokes come from a map, which a pen cannot draw.',
   );
+});
+
+test('a plot is seen before it is saved: path by path, with its layers and pens, and where ink lies several times', {
+  tag: '@all',
+}, async ({ page }) => {
+  await openPlayground(page, `${LINES}&pictureSvg=pen&picturePens=two&picturePenA=1c1a17&picturePenB=d2382c`);
+  await openPicture(page);
+  await page.getByRole('button', { name: 'Preview the plot' }).click();
+  const plot = page.getByRole('dialog', { name: 'The plot' });
+  await expect(plot).toBeVisible({ timeout: 60_000 });
+  const said = plot.locator('#plot-said');
+  const [, all] = /path ([\d,]+) of \1$/.exec((await said.textContent())!)!;
+  await expect(plot.getByRole('row')).toHaveText([/black|#1c1a17.*min.*m.*lift/]);
+  // The share of the sheet that is not paper, by the pixels of its canvas.
+  const inked = () =>
+    plot.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
+      const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+      let dark = 0;
+      for (let i = 0; i < data.length; i += 4) dark += Number(data[i] < 128);
+      return dark / (data.length / 4);
+    });
+  await expect.poll(inked).toBeGreaterThan(0.005);
+  const whole = await inked();
+  await plot.getByRole('slider', { name: 'Paths drawn' }).fill('1');
+  await expect(said).toContainText(`path 1 of ${all}`);
+  await expect.poll(inked).toBeLessThan(0.5 * whole);
+  const first = await inked();
+  expect(first).toBeGreaterThan(0);
+  await plot.getByRole('button', { name: 'One path on' }).click();
+  await expect(said).toContainText(`path 2 of ${all}`);
+  await expect.poll(inked).toBeGreaterThan(first);
+  await plot.getByRole('button', { name: 'Play' }).click();
+  await expect(said).toContainText(`path ${all} of ${all}`, { timeout: 60_000 });
+  await expect.poll(inked).toBeCloseTo(whole, 6);
+  await plot.getByLabel('Ink map').check();
+  await expect(said).toContainText(/% of the ink lies three times or more\.$/);
+  await expect(plot.getByRole('button', { name: 'Play' })).toBeDisabled();
+  const download = page.waitForEvent('download');
+  await plot.getByRole('button', { name: 'Save SVG' }).click();
+  const svg = await readFile(await (await download).path(), 'utf8');
+  expect([...svg.matchAll(/<path /g)]).toHaveLength(Number(all.replace(',', '')));
+  await expect(plot).toBeHidden();
+  await expect(page.locator('#status')).toHaveText(/^Saved as SVG: 120 × 80 mm, .*AxiDraw\.$/);
 });
 
 test('a comparison leaves as the technique of the page alone', { tag: '@all' }, async ({ page }) => {

@@ -7,12 +7,15 @@ import { sentenceFor } from '../tasks/Status.js';
 import type { TaskRunner } from '../tasks/TaskRunner.js';
 import type { SaveDrawing } from './download.js';
 import { copyText, download, fileStem } from './download.js';
+import type { PlotPreview } from './PlotPreview.js';
 
 /** A picture of a simplified model may deviate by this many pixels from the full model without a note. */
 const MOST_PIXELS = 1 / 3;
 
 /** The actions that export the drawing as a picture, video, archive or link, and the map. */
 export class ExportActions {
+  private plotPreview: PlotPreview | undefined;
+
   constructor(
     private readonly session: Session,
     private readonly address: PageAddress,
@@ -48,6 +51,16 @@ export class ExportActions {
   /** Saves the drawing as vector lines, for print or a plotter. */
   readonly saveSvg = (): Promise<void> =>
     this.save(async () => (await import('./saveSvg.js')).saveSvg, { label: 'Save it again', run: this.saveSvg });
+
+  /** Draws what a plotter would, and shows it path by path before it is saved. */
+  readonly previewPlot = async (): Promise<void> => {
+    const again = { label: 'Draw it again', run: this.previewPlot };
+    const file = await this.draw(async () => (await import('./saveSvg.js')).drawLineFile, again);
+    if (!file) return;
+    const { PlotPreview } = await import('./PlotPreview.js');
+    this.plotPreview ??= new PlotPreview((sentence) => this.status.say(sentence));
+    this.plotPreview.open(file, this.session.settings.paper);
+  };
 
   /** Records the video frame by frame, by the settings. */
   readonly saveVideo = (): Promise<void> =>

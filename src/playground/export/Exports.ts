@@ -32,7 +32,16 @@ const write = async (picture: Promise<Blob>): Promise<void> =>
   navigator.clipboard.write([new ClipboardItem({ 'image/png': picture })]);
 
 /** The actions of {@link ExportActions} with buttons. */
-type Action = 'savePng' | 'saveSvg' | 'saveDrawing' | 'saveVideo' | 'saveMap' | 'share' | 'copyLink' | 'copyFacts';
+type Action =
+  | 'savePng'
+  | 'saveSvg'
+  | 'previewPlot'
+  | 'saveDrawing'
+  | 'saveVideo'
+  | 'saveMap'
+  | 'share'
+  | 'copyLink'
+  | 'copyFacts';
 
 /** The exports of the page. Their scripts are fetched on first use. */
 export class Exports {

@@ -1,5 +1,5 @@
 import { needsMap } from 'three-hatching/facts';
-import { drawSVG, plottingTime, type SVGDrawing } from 'three-hatching/svg';
+import { type DrawSVGOptions, drawSVG, plottingTime, type SVGDrawing } from 'three-hatching/svg';
 import { materialLook } from '../../viewer/settings/materialLook.js';
 import type { Settings } from '../../viewer/settings/settings.js';
 import { drawPicture, type PrintPlan, planSvg, printablePlan } from '../print/print.js';
@@ -14,11 +14,29 @@ const PICTURE = 0.5;
 /** How strokes appear in the file: as lines, in the raster picture below, or not at all. */
 type Strokes = 'lines' | 'picture' | 'nowhere';
 
+/** A drawing of lines that is not saved yet. */
+export interface LineFile {
+  drawing: SVGDrawing;
+  /** Without extension. */
+  name: string;
+  /** Says what the file is and how it differs from the page. */
+  sentence: string;
+}
+
 /**
- * Saves the drawing as SVG in the size of the settings, with fills for print or with lines for one pen. Strokes from a tonal art map are
+ * Saves the drawing as SVG in the size of the settings, with fills for print or with lines for pens. Strokes from a tonal art map are
  * not lines: in print they are a raster picture below the lines.
  */
-export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =>
+export const saveSvg: SaveDrawing = async (...what) => downloadLines(await drawLineFile(...what));
+
+/** Downloads a drawing of lines as SVG, and returns its sentence. */
+export function downloadLines({ drawing: { svg }, name, sentence }: LineFile): string {
+  download(new Blob([svg], { type: 'image/svg+xml' }), `${name}.svg`);
+  return sentence;
+}
+
+/** Draws the lines that {@link saveSvg} saves. */
+export const drawLineFile: SaveDrawing<LineFile> = (viewport, settings, name, report, signal) =>
   drawCovered(viewport, settings, signal, async (session, plan) => {
     const { sheet, margin, within } = planSvg(settings, plan);
     const isPen = settings.pictureSvg === 'pen';
@@ -31,7 +49,7 @@ export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =
     camera.setViewOffset(within.viewWidth, within.viewHeight, within.left, within.top, within.width, within.height);
     const drawing = await drawSVG(viewport.scenery.scene, camera, {
       kind: settings.pictureSvg,
-      ...(isPen && { penWidth: settings.picturePen }),
+      ...(isPen && { penWidth: settings.picturePen, pens: pensOf(settings) }),
       // A plotter would draw the border of the paper.
       ...(!isPen && settings.pictureGround === 'paper' && { paper: settings.paper }),
       ...{ sheet, margin, picture, signal },
@@ -41,13 +59,18 @@ export const saveSvg: SaveDrawing = (viewport, settings, name, report, signal) =
     const remarks = remarksOn(drawing, settings, strokes);
     if (drawing.paths === 0 && !picture)
       throw new Error([strokes === 'nowhere' ? NO_LINES_OF_MAPS : 'there are no lines.', ...remarks].join(' '));
-    download(new Blob([drawing.svg], { type: 'image/svg+xml' }), `${name}.svg`);
     const size = `${sheet.map(Math.round).join(' × ')} mm, ${drawing.paths.toLocaleString('en')} paths`;
-    return [
-      `Saved as SVG${SAVED[strokes]}: ${size}${printed ? `, ${Math.round(printed.dpi)} dpi` : ''}${plotting(drawing)}.`,
-      ...remarks,
-    ].join(' ');
+    const saved = `Saved as SVG${SAVED[strokes]}: ${size}${printed ? `, ${Math.round(printed.dpi)} dpi` : ''}${plotting(drawing)}.`;
+    return { drawing, name, sentence: [saved, ...remarks].join(' ') };
   });
+
+/** What has a layer of its own, or the pens of the user. */
+function pensOf({ picturePens, picturePen: width, ...pens }: Settings): DrawSVGOptions['pens'] {
+  const { picturePenA, picturePenB, picturePenC } = pens;
+  if (picturePens !== 'two' && picturePens !== 'three') return picturePens;
+  const colors = [picturePenA, picturePenB, ...(picturePens === 'three' ? [picturePenC] : [])];
+  return [...new Set(colors)].map((color) => ({ color, width }));
+}
 
 /** How long the lines of a pen are, and how long an AxiDraw takes for them. */
 function plotting({ drawn, plotSeconds }: SVGDrawing): string {

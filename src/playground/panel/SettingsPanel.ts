@@ -1,7 +1,7 @@
 import { type Controller, GUI } from 'lil-gui';
 import { withBoldnessAndDensity } from '../../viewer/settings/lookOf.js';
 import { LIGHT_LOOKS } from '../../viewer/settings/presets.js';
-import { SETTING_KEYS, SETTINGS, type SettingKey } from '../../viewer/settings/settings.js';
+import { SETTING_KEYS, SETTINGS, type SettingKey, type Settings } from '../../viewer/settings/settings.js';
 import { hasEffect, isChoiceKnown, looksOf, presentUnit, savedFormat } from '../../viewer/settings/settingValues.js';
 import {
   type NumberSetting,
@@ -30,13 +30,16 @@ export interface PanelAction {
   label: string | (() => string);
   group: SettingGroup;
   run: () => void;
+  /** Whether the button is shown. Default: always. */
+  isShown?: (settings: Settings) => boolean;
 }
 
 /** The controls, created from the table of settings. Each has a label and a unit, and is reset by a double-click. */
 export class SettingsPanel {
   private readonly controllers = new Map<SettingKey, Controller>();
   private readonly units = new Map<SettingKey, HTMLElement>();
-  private readonly changingLabels: (() => void)[] = [];
+  /** Update buttons that depend on the settings. */
+  private readonly changing: (() => void)[] = [];
   private readonly rendererNote = note('');
   /** Notes with the widths of strokes and lines in print. */
   private readonly printNotes = { strokeWidth: note(''), outlineWidth: note('') };
@@ -81,10 +84,11 @@ export class SettingsPanel {
       });
       this.controllers.set(key, controller);
     }
-    for (const { label, group, run } of actions) {
+    for (const { label, group, run, isShown } of actions) {
       const controller = folderOf.get(group)!.add({ run }, 'run');
       if (typeof label === 'string') controller.name(label);
-      else this.changingLabels.push(() => controller.name(label()));
+      else this.changing.push(() => controller.name(label()));
+      if (isShown) this.changing.push(() => controller.show(isShown(session.settings)));
     }
     // Puts the folders after the settings of the first group.
     const children = gui.$children;
@@ -95,7 +99,7 @@ export class SettingsPanel {
   /** Updates the controls after the settings have changed elsewhere. Hides or disables those without an effect. */
   refresh(): void {
     for (const controller of this.controllers.values()) controller.updateDisplay();
-    for (const name of this.changingLabels) name();
+    for (const update of this.changing) update();
     const { settings } = this.session;
     const looks = looksOf(settings);
     for (const [key, controller] of this.controllers) {
@@ -222,6 +226,12 @@ export function panelActions(
     ...(document.fullscreenEnabled ? [fullScreen] : []),
     { label: () => `Save ${savedFormat(settings)}`, group: 'Picture', run: () => exports.run('savePng') },
     { label: 'Save SVG, as lines', group: 'Picture', run: () => exports.run('saveSvg') },
+    {
+      label: 'Preview the plot',
+      group: 'Picture',
+      run: () => exports.run('previewPlot'),
+      isShown: ({ pictureSvg }) => pictureSvg === 'pen',
+    },
     { label: 'Copy the picture', group: 'Picture', run: () => exports.copy() },
     { label: 'Save with the model, as ZIP', group: 'Picture', run: () => exports.run('saveDrawing') },
     ...('share' in navigator ? [share] : []),

@@ -38,26 +38,28 @@ interface PlottedPath {
 }
 
 /**
- * The time that a plotter takes for paths in order, from the upper left corner of the sheet, seconds. It starts and stops at the ends of each path,
- * and does not slow down in bends.
+ * The times at which a plotter has drawn each of its paths, in order, from the upper left corner of the sheet, seconds. It starts and stops at the
+ * ends of each path, and does not slow down in bends.
  *
  * @param percent of the plotter's greatest speed on the paper; null for its own setting
  */
-export function plotSeconds(
+export function plotTimes(
   paths: readonly PlottedPath[],
   plotter: PlotterSpeeds,
   percent: number | null = null,
-): number {
+): Float64Array {
   const speed = percent === null ? plotter.draw : (percent / 100) * plotter.fastest;
+  const times = new Float64Array(paths.length);
   let seconds = 0;
   let place: readonly [number, number] = [0, 0];
-  for (const { length, start, end } of paths) {
+  for (const [i, { length, start, end }] of paths.entries()) {
     const away = Math.hypot(start[0] - place[0], start[1] - place[1]);
     seconds += moveSeconds(away, plotter.travel, plotter.travelAcceleration) + plotter.lift;
     seconds += moveSeconds(length, speed, plotter.drawAcceleration);
+    times[i] = seconds;
     place = end;
   }
-  return seconds;
+  return times;
 }
 
 /** The time of a move from rest to rest: it speeds up and slows down evenly. */

@@ -61,6 +61,8 @@ export interface SVGDrawingLayer {
   travelAfter: number;
   /** The estimated time of plotting, seconds; null for a print. */
   plotSeconds: number | null;
+  /** The time from the beginning of the layer at which each path is drawn, in the order of the file, seconds; null for a print. */
+  pathSeconds: Float64Array | null;
 }
 
 /** A drawing as lines. Lengths are in millimetres. */

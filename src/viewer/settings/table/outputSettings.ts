@@ -35,6 +35,9 @@ const MILLIMETRES = {
 } as const;
 const INCHES = { kind: 'number', when: OWN_INCHES, default: 8, unit: 'in', min: 1, max: 48, step: 0.05 } as const;
 
+const PLOTTED = { pictureSvg: ['pen'] };
+const OWN_PENS = { ...PLOTTED, picturePens: ['two', 'three'] };
+
 /** The saved picture. */
 export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
   pictureSize: {
@@ -91,12 +94,34 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
     kind: 'choice',
     label: 'SVG',
     default: 'print',
-    choices: { print: 'Filled, for print', pen: 'One pen, for a plotter' },
+    choices: { print: 'Filled, for print', pen: 'Lines, for a pen plotter' },
+  },
+  picturePens: {
+    kind: 'choice',
+    label: 'Pens',
+    when: PLOTTED,
+    default: 'layer',
+    choices: {
+      layer: 'One for each kind of line',
+      ink: 'One for each ink',
+      material: 'One for each material',
+      part: 'One for each part',
+      two: 'Two of your own',
+      three: 'Three of your own',
+    },
+  },
+  picturePenA: { kind: 'color', label: 'First pen', when: OWN_PENS, default: '#1c1a17' },
+  picturePenB: { kind: 'color', label: 'Second pen', when: OWN_PENS, default: '#c0282c' },
+  picturePenC: {
+    kind: 'color',
+    label: 'Third pen',
+    when: { ...PLOTTED, picturePens: ['three'] },
+    default: '#2a5ca8',
   },
   picturePen: {
     kind: 'number',
-    label: 'Pen',
-    when: { pictureSvg: ['pen'] },
+    label: 'Width of pens',
+    when: PLOTTED,
     default: 0.3,
     unit: 'mm',
     min: 0.1,

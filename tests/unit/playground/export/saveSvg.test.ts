@@ -40,6 +40,25 @@ test('a print has filled paths on its paper, and a pen has lines of its width on
   expect(pen.asked).not.toHaveProperty('paper');
 });
 
+test('the layers of a plot are chosen, or its pens by their colours, each once', async () => {
+  const plot = {
+    pictureSvg: 'pen',
+    picturePen: 0.4,
+    picturePenA: '#000000',
+    picturePenB: '#ff0000',
+    picturePenC: '#000000',
+  };
+  const pens = async (picturePens: string) => (await saved({ ...plot, picturePens })).asked.pens;
+  expect(await pens('material')).toBe('material');
+  const [black, red] = [
+    { color: '#000000', width: 0.4 },
+    { color: '#ff0000', width: 0.4 },
+  ];
+  expect(await pens('two')).toEqual([black, red]);
+  expect(await pens('three')).toEqual([black, red]);
+  expect((await saved({ pictureSvg: 'print', picturePens: 'two' })).asked).not.toHaveProperty('pens');
+});
+
 test('strokes of a map are left out for a pen with a message; without anything else, nothing is saved', async () => {
   const { said, asked } = await saved({ technique: 'hatching', pictureSvg: 'pen' });
   expect(said).toMatch(/^Saved as SVG without its strokes, which a pen cannot draw: /);

@@ -101,7 +101,7 @@ describe('a setting has an effect', () => {
         ground: 'shadow',
         occlusion: 50,
       },
-      { technique: 'adjacencyCrisp', pictureSvg: 'pen' },
+      { technique: 'adjacencyCrisp', pictureSvg: 'pen', picturePens: 'three' },
     ];
     const unused = SETTING_KEYS.filter((key) => !some.some((changes) => used(key, changes)));
     expect(unused).toEqual([]);
