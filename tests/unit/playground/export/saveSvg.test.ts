@@ -48,7 +48,7 @@ test('the layers of a plot are chosen, or its pens by their colours, each once',
     picturePenB: '#ff0000',
     picturePenC: '#000000',
   };
-  const pens = async (picturePens: string) => (await saved({ ...plot, picturePens })).asked.pens;
+  const pens = async (picturePens: Settings['picturePens']) => (await saved({ ...plot, picturePens })).asked.pens;
   expect(await pens('material')).toBe('material');
   const [black, red] = [
     { color: '#000000', width: 0.4 },
