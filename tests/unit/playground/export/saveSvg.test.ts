@@ -41,7 +41,7 @@ test('a print has filled paths on its paper, and a pen has lines of its width on
 });
 
 test('the layers of a plot are chosen, or its pens by their colours, each once', async () => {
-  const plot = {
+  const plot: Partial<Settings> = {
     pictureSvg: 'pen',
     picturePen: 0.4,
     picturePenA: '#000000',
