@@ -16,7 +16,7 @@ export const centreOfScreen = (): Value =>
   select(isOrthographic(), vec2(0), positionView.xy.div(positionView.z)).toVar();
 
 /** The depth; 1 for orthographic cameras. */
-export const depthOfScreen = (): Value => select(isOrthographic(), 1, positionView.z.negate()).toVar();
+const depthOfScreen = (): Value => select(isOrthographic(), 1, positionView.z.negate()).toVar();
 
 /** View units per pixel. */
 export const viewUnitsPerPixel = (): Value =>

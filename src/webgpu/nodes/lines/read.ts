@@ -8,13 +8,7 @@ import { isInFullShadow, type ReceivedShadow } from '../base/lights.js';
 import { type Input, tsl, type Value } from '../base/values.js';
 import { readViewToAnchor } from '../chunks/anchor.js';
 import { followsForm } from '../chunks/lightOrientation.js';
-import {
-  centreOfScreen,
-  depthOfScreen,
-  type ScreenMap,
-  screenGradient,
-  viewUnitsPerPixel,
-} from '../chunks/screenGradient.js';
+import { centreOfScreen, type ScreenMap, screenGradient, viewUnitsPerPixel } from '../chunks/screenGradient.js';
 import { objectToField } from './emit.js';
 import {
   across,
@@ -104,34 +98,35 @@ export interface HatchingParameters {
 
 /** Counterpart of shaders/techniques/lines/read.glsl, from here and at the end: the parameters of lines at this fragment. */
 
-/** The Jacobian of the map from pixels to positions on the smooth surface, in the field. It is turned by a right angle. */
-function smoothOnScreen(builder: NodeBuilder): ScreenMap {
+/**
+ * The Jacobian of the map from pixels to positions on a surface, in the field; limited at grazing angles. It is turned by a right angle.
+ *
+ * @param normal of any length
+ */
+function surfaceOnScreen(builder: NodeBuilder, normal: Value): ScreenMap {
   const viewToAnchor = readViewToAnchor(builder);
   const right = objectToField.mul(viewToAnchor.mul(vec3(1, 0, 0))).toVar();
   const up = objectToField.mul(viewToAnchor.mul(vec3(0, 1, 0))).toVar();
   const centre = centreOfScreen();
   const ray = objectToField.mul(viewToAnchor.mul(vec3(centre, 1))).toVar();
-  const normal = vec2(dot(vFieldNormal, right), dot(vFieldNormal, up)).toVar();
-  const facing = dot(vFieldNormal, ray).toVar();
-  const straight = facing.sub(dot(centre, normal));
-  const least = length(vec3(normal, straight)).mul(SCREEN_CONSTANTS.LEAST_FACING);
+  const along = vec2(dot(normal, right), dot(normal, up)).toVar();
+  const facing = dot(normal, ray).toVar();
+  const straight = facing.sub(dot(centre, along));
+  const least = length(vec3(along, straight)).mul(SCREEN_CONSTANTS.LEAST_FACING);
   const scale = viewUnitsPerPixel()
     .div(max(max(abs(facing), least), 1e-20))
     .toVar();
   return [
-    ray.mul(normal.y).sub(up.mul(facing)).mul(scale).toVar(),
-    right.mul(facing).sub(ray.mul(normal.x)).mul(scale).toVar(),
+    ray.mul(along.y).sub(up.mul(facing)).mul(scale).toVar(),
+    right.mul(facing).sub(ray.mul(along.x)).mul(scale).toVar(),
   ];
 }
 
-/** The same for the flat triangle. Over the depth, positions are linear on the screen, so that differences of neighbours are exact. */
-function triangleOnScreen(): ScreenMap {
-  const depth = depthOfScreen();
-  const place = vec4(vFieldPoint, 1).div(depth).toVar();
-  const x = dFdx(place).toVar();
-  const y = dFdy(place).toVar();
-  return [vFieldPoint.mul(y.w).sub(y.xyz).mul(depth).toVar(), x.xyz.sub(vFieldPoint.mul(x.w)).mul(depth).toVar()];
-}
+const smoothOnScreen = (builder: NodeBuilder): ScreenMap => surfaceOnScreen(builder, vFieldNormal);
+
+/** The flat triangle is mapped by its normal, since differences of positions are inexact where triangles are smaller than pixels. */
+const triangleOnScreen = (builder: NodeBuilder): ScreenMap =>
+  surfaceOnScreen(builder, cross(dFdx(vFieldPoint), dFdy(vFieldPoint)).toVar());
 
 /** Counterpart of shaders/techniques/lines/fieldAtFragment.glsl: the field at this fragment. */
 
@@ -178,7 +173,7 @@ export function readCutLines(
   const waves = slowWaves(place.mul(HAND_CONSTANTS.HAND_WAVES)).toVar();
   const point = handPoint(place, waves).toVar();
   const onScreen = smoothOnScreen(builder);
-  const triangle = triangleOnScreen();
+  const triangle = triangleOnScreen(builder);
   const { value, gradient } = fieldAt(field, point);
   const along = dot(normal, gradient).toVar();
   const slope = sqrt(max(along.mul(along).oneMinus(), 1e-12)).toVar();
@@ -256,7 +251,7 @@ export function readFormLines(
   const pressure = differs ? ofHand : ofHand.add(irregularity.mul(WIDTH_WAVE).mul(waves.z));
   const values = [formValueAt(first, stray), formValueAt(crossing, stray)];
   const onScreen = smoothOnScreen(builder);
-  const triangle = triangleOnScreen();
+  const triangle = triangleOnScreen(builder);
   const valueOnScreen = screenGradient(first.xyz, onScreen).toVar();
   const crossingOnScreen = screenGradient(crossing.xyz, onScreen).toVar();
   return {
