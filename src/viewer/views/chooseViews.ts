@@ -4,7 +4,7 @@ import { type FrontClues, frontEvidence, lengthAlong, type MeasuredView } from '
 import { measureView, type ViewMeasures } from './measureView.js';
 import { type MirrorPlanes, mirrorPlanes } from './mirrorPlanes.js';
 import { isWalled, planOf } from './planOf.js';
-import { createSeenMap, drawSeenMap } from './seenMap.js';
+import { createSeenMap, drawSeenMap, type SeenMap } from './seenMap.js';
 import { type ViewSurface, type ViewTriangles, viewSurface } from './viewSurface.js';
 
 /** A direction to the eye, in degrees: around the up axis from the front to the right, and above the horizon. */
@@ -80,7 +80,7 @@ export function* chooseViews(triangles: ViewTriangles, up: UpAxis): Generator<nu
     }
   }
   for (const elevation of ELEVATIONS) yield* tryAll(elevation);
-  const ofShape = elevationOfShape(surface);
+  const ofShape = elevationOfShape(surface, map);
   if (bestElevation(views, ofShape) >= FROM_ABOVE.least) yield* tryAll(FROM_ABOVE.elevation);
   const score = scoreOf(surface, views, ofShape);
   for (const { azimuth, elevation } of apart(views, score)) {
@@ -173,8 +173,8 @@ const bestElevation = (views: readonly MeasuredView[], ofShape: number): number 
   isRoom(views) ? BEST_ELEVATION.room : ofShape;
 
 /** The best elevation of a surface that is no room. */
-function elevationOfShape(surface: ViewSurface): number {
-  if (isWalled(planOf(surface))) return BEST_ELEVATION.walled;
+function elevationOfShape(surface: ViewSurface, map: SeenMap): number {
+  if (isWalled(planOf(surface, map))) return BEST_ELEVATION.walled;
   if (isTerrain(surface)) return BEST_ELEVATION.terrain;
   const height = surface.halfHeight / surface.halfWidth;
   if (height > 1) return BEST_ELEVATION.tall;
@@ -193,10 +193,13 @@ const ALONG = 0.96;
 
 /** The share of a surface that faces up, down, or along or across a horizontal direction. @param azimuth of the direction, in degrees */
 function squarenessOf({ normals, areas, area }: ViewSurface, azimuth: number): number {
-  const [x, z] = [Math.sin((azimuth * Math.PI) / 180), Math.cos((azimuth * Math.PI) / 180)];
+  const x = Math.sin((azimuth * Math.PI) / 180);
+  const z = Math.cos((azimuth * Math.PI) / 180);
   let square = 0;
   for (let triangle = 0; triangle < areas.length; triangle++) {
-    const [nx, ny, nz] = [normals[3 * triangle], normals[3 * triangle + 1], normals[3 * triangle + 2]];
+    const nx = normals[3 * triangle];
+    const ny = normals[3 * triangle + 1];
+    const nz = normals[3 * triangle + 2];
     if (Math.max(Math.abs(ny), Math.abs(nx * x + nz * z), Math.abs(nx * z - nz * x)) > ALONG) square += areas[triangle];
   }
   return square / area;

@@ -106,48 +106,95 @@ export const lengthAlong = (clues: FrontClues, azimuth: number): number =>
 const SLICES = 10;
 
 function lengthwise({ points, landmarks }: FrontClues, x: number, z: number): Lengthwise {
-  const count = points.length / 3;
-  let [middle, low, high, bottom, top] = [0, Infinity, -Infinity, Infinity, -Infinity];
+  const extent = extentAlong(points, x, z);
+  const { low, high } = extent;
+  const height = Math.max(extent.top - extent.bottom, 1e-6);
+  const moments = momentsAlong(points, x, z, extent, height);
+  const deviation = Math.max(Math.sqrt(moments.square), 1e-6);
+  const named = landmarks.reduce((sum, landmark) => {
+    const place = landmark.x * x + landmark.z * z;
+    return sum + landmark.sign * (place - (low + high) / 2);
+  }, 0);
+  const rise = moments.tops.reduce((sum, top, slice) => sum + (slice < SLICES / 2 ? -top : top), 0);
+  return {
+    length: (high - low) / height,
+    top: moments.inTop > 0 ? moments.top / moments.inTop / deviation : 0,
+    foot: moments.inFoot > 0 ? moments.foot / moments.inFoot / deviation : 0,
+    skew: moments.cube / deviation ** 3,
+    rise: rise / (SLICES / 2),
+    named: landmarks.length > 0 ? (2 * named) / Math.max(high - low, 1e-6) / landmarks.length : 0,
+  };
+}
+
+/** How far points reach along a direction and upwards, and their mean place along the direction. */
+interface Extent {
+  middle: number;
+  low: number;
+  high: number;
+  bottom: number;
+  top: number;
+}
+
+function extentAlong(points: Float32Array, x: number, z: number): Extent {
+  let sum = 0;
+  let low = Infinity;
+  let high = -Infinity;
+  let bottom = Infinity;
+  let top = -Infinity;
   for (let i = 0; i < points.length; i += 3) {
     const place = points[i] * x + points[i + 2] * z;
-    middle += place / count;
+    sum += place;
     low = Math.min(low, place);
     high = Math.max(high, place);
     bottom = Math.min(bottom, points[i + 1]);
     top = Math.max(top, points[i + 1]);
   }
-  const sums = { square: 0, cube: 0, top: 0, inTop: 0, foot: 0, inFoot: 0 };
+  return { middle: (3 * sum) / points.length, low, high, bottom, top };
+}
+
+/** Moments of points along a direction about their mean place, and sums over those high up and those at the foot. */
+interface Moments {
+  square: number;
+  cube: number;
+  top: number;
+  inTop: number;
+  foot: number;
+  inFoot: number;
+  /** The highest point of each slice, as a share of the height. */
+  tops: Float64Array;
+}
+
+function momentsAlong(
+  points: Float32Array,
+  x: number,
+  z: number,
+  { middle, low, high, bottom }: Extent,
+  height: number,
+): Moments {
   const tops = new Float64Array(SLICES);
-  const span = Math.max(high - low, 1e-6);
-  const height = Math.max(top - bottom, 1e-6);
+  const perSlice = SLICES / Math.max(high - low, 1e-6);
+  let square = 0;
+  let cube = 0;
+  let top = 0;
+  let inTop = 0;
+  let foot = 0;
+  let inFoot = 0;
   for (let i = 0; i < points.length; i += 3) {
     const along = points[i] * x + points[i + 2] * z;
     const place = along - middle;
     const above = (points[i + 1] - bottom) / height;
-    sums.square += place ** 2 / count;
-    sums.cube += place ** 3 / count;
+    square += place * place;
+    cube += place * place * place;
     if (above > 0.75) {
-      sums.top += place;
-      sums.inTop++;
+      top += place;
+      inTop++;
     } else if (above < 0.1) {
-      sums.foot += place;
-      sums.inFoot++;
+      foot += place;
+      inFoot++;
     }
-    const slice = Math.min(SLICES - 1, Math.floor((SLICES * (along - low)) / span));
-    tops[slice] = Math.max(tops[slice], above);
+    const slice = Math.min(SLICES - 1, Math.floor(perSlice * (along - low)));
+    if (above > tops[slice]) tops[slice] = above;
   }
-  const deviation = Math.max(Math.sqrt(sums.square), 1e-6);
-  const named = landmarks.reduce((sum, landmark) => {
-    const place = landmark.x * x + landmark.z * z;
-    return sum + landmark.sign * (place - (low + high) / 2);
-  }, 0);
-  const rise = tops.reduce((sum, height, slice) => sum + (slice < SLICES / 2 ? -height : height), 0);
-  return {
-    length: (high - low) / height,
-    top: sums.inTop > 0 ? sums.top / sums.inTop / deviation : 0,
-    foot: sums.inFoot > 0 ? sums.foot / sums.inFoot / deviation : 0,
-    skew: sums.cube / deviation ** 3,
-    rise: rise / (SLICES / 2),
-    named: landmarks.length > 0 ? (2 * named) / span / landmarks.length : 0,
-  };
+  const share = 3 / points.length;
+  return { square: share * square, cube: share * cube, top, inTop, foot, inFoot, tops };
 }

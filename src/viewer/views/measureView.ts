@@ -1,4 +1,4 @@
-import { MAP_SIZE, NOTHING, type SeenMap } from './seenMap.js';
+import { MAP_SIZE, NOTHING, type SeenMap, type Vector } from './seenMap.js';
 import type { ViewSurface } from './viewSurface.js';
 
 /** What is measured of a view, each independent of how the surface is divided into triangles. */
@@ -35,86 +35,107 @@ const CELLS = 2;
 const SLOPE = { least: 0.15, most: 0.95 };
 const CELLS_ACROSS = 2 * CELLS + 1;
 
+/** Sums over the pixels of a map that show a triangle. */
+interface Sums {
+  covered: number;
+  seen: number;
+  backs: number;
+  slopes: number;
+  outline: number;
+  inner: number;
+  relief: number;
+  nearness: number;
+  squares: number;
+}
+
 /** Measures what a map shows of its surface. */
-export function measureView(map: SeenMap, surface: ViewSurface): ViewMeasures {
-  const { triangles, nearness, towards } = map;
-  const { normals, area } = surface;
+export function measureView(map: SeenMap, { normals, area }: ViewSurface): ViewMeasures {
   const pixel = 2 / MAP_SIZE;
   const histogram = new Float64Array(CELLS_ACROSS ** 3);
-  let [covered, seen, backs, slopes, outline, inner, relief, sum, squares] = [0, 0, 0, 0, 0, 0, 0, 0, 0];
-  for (let at = 0; at < triangles.length; at++) {
-    const triangle = triangles[at];
-    if (triangle === NOTHING) continue;
-    covered++;
-    const n = 3 * triangle;
-    const facing = normals[n] * towards[0] + normals[n + 1] * towards[1] + normals[n + 2] * towards[2];
-    const sign = facing < 0 ? -1 : 1;
-    seen += 1 / Math.max(LEAST_COSINE, Math.abs(facing));
-    if (facing < 0) backs++;
-    const upward = sign * normals[n + 1];
-    if (upward > SLOPE.least && upward < SLOPE.most) slopes++;
-    sum += nearness[at];
-    squares += nearness[at] ** 2;
-    const cell =
-      (Math.round(CELLS * (1 + sign * normals[n])) * CELLS_ACROSS + Math.round(CELLS * (1 + sign * normals[n + 1]))) *
-        CELLS_ACROSS +
-      Math.round(CELLS * (1 + sign * normals[n + 2]));
-    histogram[cell]++;
-    const column = at % MAP_SIZE;
-    // No list, which would be made anew for each pixel.
-    for (let way = 0; way < 2; way++) {
-      const beside = column + 1 < MAP_SIZE ? at + 1 : -1;
-      const next = way === 0 ? beside : at + MAP_SIZE;
-      const other = next >= 0 && next < triangles.length ? triangles[next] : NOTHING;
-      if (other === NOTHING) {
-        outline++;
-        continue;
-      }
-      if (Math.abs(nearness[next] - nearness[at]) > STEP) inner++;
-      else if (other !== triangle) relief += bend(map, surface, at, next);
-    }
-    if (column === 0 || triangles[at - 1] === NOTHING) outline++;
-    if (at < MAP_SIZE || triangles[at - MAP_SIZE] === NOTHING) outline++;
-  }
-  let sides = 0;
-  for (const share of histogram) if (share > 0) sides -= (share / covered) * Math.log(share / covered);
-  const mean = covered > 0 ? sum / covered : 0;
+  const sums = { covered: 0, seen: 0, backs: 0, slopes: 0, outline: 0, inner: 0, relief: 0, nearness: 0, squares: 0 };
+  for (let row = 0; row < MAP_SIZE; row++) addRow(sums, histogram, map, normals, row * MAP_SIZE);
+  const { covered, outline, inner, relief } = sums;
+  const count = Math.max(1, covered);
+  const mean = sums.nearness / count;
   return {
-    visibility: covered > 0 ? Math.min(1, (seen * pixel ** 2) / area) : 0,
+    visibility: Math.min(1, (sums.seen * pixel ** 2) / area),
     cover: covered / MAP_SIZE ** 2,
     outline: outline / MAP_SIZE,
-    depth: covered > 0 ? Math.sqrt(Math.max(0, squares / covered - mean ** 2)) * pixel : 0,
+    depth: Math.sqrt(Math.max(0, sums.squares / count - mean ** 2)) * pixel,
     relief: relief / MAP_SIZE,
     inner: inner / MAP_SIZE,
-    sides,
-    backs: covered > 0 ? backs / covered : 0,
-    slopes: covered > 0 ? slopes / covered : 0,
+    sides: histogram.reduce((sum, cell) => (cell > 0 ? sum - (cell / count) * Math.log(cell / count) : sum), 0),
+    backs: sums.backs / count,
+    slopes: sums.slopes / count,
     near: mean * pixel,
   };
 }
 
-/** About the angle, in radians, by which the surface bends inwards from a pixel to a neighbour; 0 if it bends outwards. */
-function bend(map: SeenMap, { normals }: ViewSurface, at: number, next: number): number {
-  const { triangles, nearness, towards, right, up } = map;
-  const across = next === at + 1 ? right : up;
-  const rise = nearness[next] - nearness[at];
-  const a = 3 * triangles[at];
-  const b = 3 * triangles[next];
-  let facingA = 0;
-  let facingB = 0;
-  let cosine = 0;
-  let alongA = 0;
-  let alongB = 0;
-  for (let k = 0; k < 3; k++) {
-    const step = across[k] + rise * towards[k];
-    facingA += normals[a + k] * towards[k];
-    facingB += normals[b + k] * towards[k];
-    cosine += normals[a + k] * normals[b + k];
-    alongA += normals[a + k] * step;
-    alongB += normals[b + k] * step;
+/** Adds a row of pixels to the sums. It is a function of its own, since a short one that is called often is compiled once. */
+function addRow(
+  sums: Sums,
+  histogram: Float64Array,
+  { triangles, nearness, towards, right, up }: SeenMap,
+  normals: Float32Array,
+  start: number,
+): void {
+  const tx = towards[0];
+  const ty = towards[1];
+  const tz = towards[2];
+  const last = start + MAP_SIZE - 1;
+  for (let at = start; at <= last; at++) {
+    const triangle = triangles[at];
+    if (triangle === NOTHING) continue;
+    const near = nearness[at];
+    const n = 3 * triangle;
+    const facing = normals[n] * tx + normals[n + 1] * ty + normals[n + 2] * tz;
+    const sign = facing < 0 ? -1 : 1;
+    const x = sign * normals[n];
+    const y = sign * normals[n + 1];
+    const z = sign * normals[n + 2];
+    sums.covered++;
+    sums.seen += 1 / Math.max(LEAST_COSINE, sign * facing);
+    if (facing < 0) sums.backs++;
+    if (y > SLOPE.least && y < SLOPE.most) sums.slopes++;
+    sums.nearness += near;
+    sums.squares += near * near;
+    histogram[(cellOf(x) * CELLS_ACROSS + cellOf(y)) * CELLS_ACROSS + cellOf(z)]++;
+    if (at === start || triangles[at - 1] === NOTHING) sums.outline++;
+    if (start === 0 || triangles[at - MAP_SIZE] === NOTHING) sums.outline++;
+    const beside = at < last ? triangles[at + 1] : NOTHING;
+    if (beside === NOTHING) sums.outline++;
+    else addBend(sums, normals, triangle, beside, nearness[at + 1] - near, towards, right);
+    const above = at + MAP_SIZE < triangles.length ? triangles[at + MAP_SIZE] : NOTHING;
+    if (above === NOTHING) sums.outline++;
+    else addBend(sums, normals, triangle, above, nearness[at + MAP_SIZE] - near, towards, up);
   }
+}
+
+/** The cell of a coordinate of a unit vector. */
+const cellOf = (coordinate: number): number => Math.round(CELLS * (1 + coordinate));
+
+/** Adds an outline within the silhouette between neighbouring pixels, or about the angle by which the surface bends inwards there. */
+function addBend(
+  sums: Sums,
+  normals: Float32Array,
+  triangle: number,
+  other: number,
+  rise: number,
+  towards: Vector,
+  across: Vector,
+): void {
+  if (Math.abs(rise) > STEP) sums.inner++;
+  if (Math.abs(rise) > STEP || other === triangle) return;
+  const a = 3 * triangle;
+  const b = 3 * other;
+  const facingA = normals[a] * towards[0] + normals[a + 1] * towards[1] + normals[a + 2] * towards[2];
+  const facingB = normals[b] * towards[0] + normals[b + 1] * towards[1] + normals[b + 2] * towards[2];
+  const acrossA = normals[a] * across[0] + normals[a + 1] * across[1] + normals[a + 2] * across[2];
+  const acrossB = normals[b] * across[0] + normals[b + 1] * across[1] + normals[b + 2] * across[2];
   const signA = facingA < 0 ? -1 : 1;
   const signB = facingB < 0 ? -1 : 1;
+  if (signB * (acrossB + rise * facingB) >= signA * (acrossA + rise * facingA)) return;
+  const cosine = normals[a] * normals[b] + normals[a + 1] * normals[b + 1] + normals[a + 2] * normals[b + 2];
   // The chord is nearly the angle, and much cheaper.
-  return signB * alongB < signA * alongA ? Math.sqrt(Math.max(0, 2 - 2 * signA * signB * cosine)) : 0;
+  sums.relief += Math.sqrt(Math.max(0, 2 - 2 * signA * signB * cosine));
 }

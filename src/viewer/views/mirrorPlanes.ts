@@ -37,20 +37,24 @@ const SIDE = 4 * CELLS + 4;
 const cellOf = (x: number, y: number, z: number): number =>
   (Math.floor((x + 2) * CELLS + 1) * SIDE + Math.floor((y + 2) * CELLS + 1)) * SIDE + Math.floor((z + 2) * CELLS + 1);
 
+/** The distances in the grid from a cell to itself and its neighbours. */
+const AROUND = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => (x * SIDE + y) * SIDE + z)));
+
 /** The cells that hold a point, and their neighbours. */
 function occupied(points: Float32Array): Uint8Array {
   const grid = new Uint8Array(SIDE ** 3);
   for (let i = 0; i < points.length; i += 3) {
     const cell = cellOf(points[i], points[i + 1], points[i + 2]);
-    for (let x = -1; x <= 1; x++)
-      for (let y = -1; y <= 1; y++)
-        for (let z = -1; z <= 1; z++) grid[cell + (x * SIDE + y) * SIDE + z] |= x || y || z ? 1 : 3;
+    if (grid[cell] & 2) continue;
+    grid[cell] |= 2;
+    for (let k = 0; k < AROUND.length; k++) grid[cell + AROUND[k]] |= 1;
   }
   return grid;
 }
 
 function mirroredShare(points: Float32Array, grid: Uint8Array, azimuth: number): number {
-  const [nx, nz] = [Math.cos((azimuth * Math.PI) / 180), -Math.sin((azimuth * Math.PI) / 180)];
+  const nx = Math.cos((azimuth * Math.PI) / 180);
+  const nz = -Math.sin((azimuth * Math.PI) / 180);
   let found = 0;
   for (let i = 0; i < points.length; i += 3) {
     const twice = 2 * (points[i] * nx + points[i + 2] * nz);

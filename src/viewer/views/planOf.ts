@@ -21,28 +21,42 @@ const CONTENT = { rise: 0.06, cover: 0.02 };
 /** Walls reach above this share of the height, along at least this share of the outline. */
 const WALLS = { above: 0.6, share: 0.6 };
 
-/** Looks at a surface from above. */
-export function planOf(surface: ViewSurface): Plan {
-  const map = createSeenMap(surface);
+/** Looks at a surface from above. @param map of the surface, which is drawn anew */
+export function planOf(surface: ViewSurface, map = createSeenMap(surface)): Plan {
   drawSeenMap(map, surface, 0, 90);
   const isWithin = withinBorder(surface);
   const { low, high } = boundsOf(surface.positions);
   const plan: Plan = { within: [], rim: [], covered: 0 };
-  for (let pixel = 0; pixel < map.triangles.length; pixel++) {
-    if (map.triangles[pixel] === NOTHING) continue;
-    plan.covered++;
-    const place = placeOf(map, pixel);
-    const height = (place[1] - low[1]) / (high[1] - low[1]);
-    if (isWithin(place)) plan.within.push(height);
-    const isOuter = [1, -1, MAP_SIZE, -MAP_SIZE].some((step) => (map.triangles[pixel + step] ?? NOTHING) === NOTHING);
-    if (isOuter) plan.rim.push(height);
-  }
+  for (let row = 0; row < MAP_SIZE; row++) addRow(plan, map, row, isWithin, low[1], high[1] - low[1]);
   return plan;
+}
+
+function addRow(
+  plan: Plan,
+  { triangles, nearness }: SeenMap,
+  row: number,
+  isWithin: (x: number, z: number) => boolean,
+  lowest: number,
+  size: number,
+): void {
+  for (let pixel = row * MAP_SIZE; pixel < (row + 1) * MAP_SIZE; pixel++) {
+    if (triangles[pixel] === NOTHING) continue;
+    plan.covered++;
+    const height = (UNIT * nearness[pixel] - lowest) / size;
+    if (isWithin(middleOf(pixel % MAP_SIZE), -middleOf(row))) plan.within.push(height);
+    // A pixel beyond the first or the last is none, and counts as empty.
+    const isInner =
+      triangles[pixel - 1] >= 0 &&
+      triangles[pixel + 1] >= 0 &&
+      triangles[pixel - MAP_SIZE] >= 0 &&
+      triangles[pixel + MAP_SIZE] >= 0;
+    if (!isInner) plan.rim.push(height);
+  }
 }
 
 /** Whether a plan shows a floor with walls around it, or with things that stand on it. */
 export function showsFloor({ within, covered }: Plan): boolean {
-  const floors = floorsIn(within);
+  const floors = floorsIn(within).sort((a, b) => a - b);
   const standing = within.filter((height) => height > floors[floors.length >> 1] + CONTENT.rise);
   return floors.length > FLOOR.cover * covered && standing.length > CONTENT.cover * covered;
 }
@@ -53,23 +67,27 @@ export function isWalled({ within, rim, covered }: Plan): boolean {
   return floorsIn(within).length > FLOOR.cover * covered && walls.length > WALLS.share * rim.length;
 }
 
-/** The lowest heights, in rising order. */
-const floorsIn = (heights: readonly number[]): number[] =>
-  heights.filter((height) => height < FLOOR.below).sort((a, b) => a - b);
+/** The lowest heights. */
+const floorsIn = (heights: readonly number[]): number[] => heights.filter((height) => height < FLOOR.below);
 
 /** A function that tells whether a place lies within the border of a surface's plan. */
-export function withinBorder({ positions }: ViewSurface): (place: readonly number[]) => boolean {
+export function withinBorder({ positions }: ViewSurface): (x: number, z: number) => boolean {
   const { low, high } = boundsOf(positions);
   const border = BORDER * Math.min(high[0] - low[0], high[2] - low[2]);
-  return (place) => [0, 2].every((k) => place[k] > low[k] + border && place[k] < high[k] - border);
+  const [left, right] = [low[0] + border, high[0] - border];
+  const [far, near] = [low[2] + border, high[2] - border];
+  return (x, z) => x > left && x < right && z > far && z < near;
 }
+
+/** The size of a pixel, in radii, and the middle of a row or a column. */
+const UNIT = 2 / MAP_SIZE;
+const middleOf = (line: number): number => (line + 0.5) * UNIT - 1;
 
 /** The place in the unit sphere of what a pixel of a map shows. */
 export function placeOf({ right, up, towards, nearness }: SeenMap, pixel: number): [x: number, y: number, z: number] {
-  const unit = 2 / MAP_SIZE;
-  const across = ((pixel % MAP_SIZE) + 0.5) * unit - 1;
-  const along = (Math.floor(pixel / MAP_SIZE) + 0.5) * unit - 1;
-  const near = nearness[pixel] * unit;
+  const across = middleOf(pixel % MAP_SIZE);
+  const along = middleOf(Math.floor(pixel / MAP_SIZE));
+  const near = nearness[pixel] * UNIT;
   const at = (k: 0 | 1 | 2): number => across * right[k] + along * up[k] + near * towards[k];
   return [at(0), at(1), at(2)];
 }

@@ -5,8 +5,11 @@ import type { ViewSurface } from './viewSurface.js';
 export const MAP_SIZE = 128;
 /** Stands for no triangle. */
 export const NOTHING = -1;
+/** Pixels to a unit. */
+const PIXELS = MAP_SIZE / 2;
 
-type Vector = [x: number, y: number, z: number];
+/** A direction, or a place in the unit sphere. */
+export type Vector = [x: number, y: number, z: number];
 
 /** What is seen of a surface from afar in a direction. */
 export interface SeenMap {
@@ -56,62 +59,70 @@ export function drawSeenMap(map: SeenMap, surface: ViewSurface, azimuth: number,
   drawNearest(map, surface);
 }
 
-function drawNearest({ triangles, nearness, projected }: SeenMap, { indices, isSingleSided }: ViewSurface): void {
-  const last = MAP_SIZE - 1;
-  const pixels = MAP_SIZE / 2;
-  for (let triangle = 0, corner = 0; corner < indices.length; triangle++, corner += 3) {
-    const a = 3 * indices[corner];
-    const b = 3 * indices[corner + 1];
-    const c = 3 * indices[corner + 2];
-    const ax = projected[a];
-    const ay = projected[a + 1];
-    const bx = projected[b] - ax;
-    const by = projected[b + 1] - ay;
-    const cx = projected[c] - ax;
-    const cy = projected[c + 1] - ay;
-    const area = bx * cy - by * cx;
-    if (area === 0 || (area < 0 && isSingleSided && isSingleSided[triangle])) continue;
-    const left = Math.max(0, Math.ceil(ax + Math.min(0, bx, cx) - 0.5));
-    const right = Math.min(last, Math.floor(ax + Math.max(0, bx, cx) - 0.5));
-    if (!(left <= right)) continue;
-    const bottom = Math.max(0, Math.ceil(ay + Math.min(0, by, cy) - 0.5));
-    const top = Math.min(last, Math.floor(ay + Math.max(0, by, cy) - 0.5));
-    if (!(bottom <= top)) continue;
-    const perArea = 1 / area;
-    const rightB = cy * perArea;
-    const rightC = -by * perArea;
-    const upB = -cx * perArea;
-    const upC = bx * perArea;
-    const px = left + 0.5 - ax;
-    const py = bottom + 0.5 - ay;
-    let rowB = px * rightB + py * upB;
-    let rowC = px * rightC + py * upC;
-    const az = pixels * projected[a + 2];
-    const bz = pixels * projected[b + 2] - az;
-    const cz = pixels * projected[c + 2] - az;
-    for (let row = bottom; row <= top; row++) {
-      // The first and last pixel of the row at which no weight is below 0.
-      let first = 0;
-      let end = right - left;
-      for (let edge = 0; edge < 3; edge++) {
-        const weight = edge === 0 ? rowB : edge === 1 ? rowC : 1 - rowB - rowC;
-        const step = edge === 0 ? rightB : edge === 1 ? rightC : -rightB - rightC;
-        if (step > 0) first = Math.max(first, Math.ceil((EDGE - weight) / step));
-        else if (step < 0) end = Math.min(end, Math.floor((EDGE - weight) / step));
-        else if (weight < EDGE) end = -1;
-      }
-      let near = az + (rowB + first * rightB) * bz + (rowC + first * rightC) * cz;
-      const perPixel = rightB * bz + rightC * cz;
-      const start = row * MAP_SIZE + left;
-      for (let pixel = start + first; pixel <= start + end; pixel++) {
-        if (near > nearness[pixel]) {
-          nearness[pixel] = near;
-          triangles[pixel] = triangle;
-        }
-        near += perPixel;
-      }
-      rowB += upB;
-      rowC += upC;
+function drawNearest(map: SeenMap, { indices, isSingleSided }: ViewSurface): void {
+  for (let triangle = 0; 3 * triangle < indices.length; triangle++) {
+    drawTriangle(map, indices, triangle, isSingleSided !== null && isSingleSided[triangle] === 1);
+  }
+}
+
+/** Draws a triangle where nothing is nearer. */
+function drawTriangle(
+  { triangles, nearness, projected }: SeenMap,
+  indices: Uint32Array,
+  triangle: number,
+  isSingleSided: boolean,
+): void {
+  const a = 3 * indices[3 * triangle];
+  const b = 3 * indices[3 * triangle + 1];
+  const c = 3 * indices[3 * triangle + 2];
+  const ax = projected[a];
+  const ay = projected[a + 1];
+  const bx = projected[b] - ax;
+  const by = projected[b + 1] - ay;
+  const cx = projected[c] - ax;
+  const cy = projected[c + 1] - ay;
+  const area = bx * cy - by * cx;
+  if (area === 0 || (area < 0 && isSingleSided)) return;
+  const left = Math.max(0, Math.ceil(ax + Math.min(0, bx, cx) - 0.5));
+  const right = Math.min(MAP_SIZE - 1, Math.floor(ax + Math.max(0, bx, cx) - 0.5));
+  if (!(left <= right)) return;
+  const bottom = Math.max(0, Math.ceil(ay + Math.min(0, by, cy) - 0.5));
+  const top = Math.min(MAP_SIZE - 1, Math.floor(ay + Math.max(0, by, cy) - 0.5));
+  if (!(bottom <= top)) return;
+  const perArea = 1 / area;
+  const rightB = cy * perArea;
+  const rightC = -by * perArea;
+  const upB = -cx * perArea;
+  const upC = bx * perArea;
+  const px = left + 0.5 - ax;
+  const py = bottom + 0.5 - ay;
+  let rowB = px * rightB + py * upB;
+  let rowC = px * rightC + py * upC;
+  const az = PIXELS * projected[a + 2];
+  const bz = PIXELS * projected[b + 2] - az;
+  const cz = PIXELS * projected[c + 2] - az;
+  for (let row = bottom; row <= top; row++) {
+    // The first and last pixel of the row at which no weight is below 0.
+    let first = 0;
+    let end = right - left;
+    for (let edge = 0; edge < 3; edge++) {
+      const weight = edge === 0 ? rowB : edge === 1 ? rowC : 1 - rowB - rowC;
+      const step = edge === 0 ? rightB : edge === 1 ? rightC : -rightB - rightC;
+      if (step > 0) first = Math.max(first, Math.ceil((EDGE - weight) / step));
+      else if (step < 0) end = Math.min(end, Math.floor((EDGE - weight) / step));
+      else if (weight < EDGE) end = -1;
     }
+    let near = az + (rowB + first * rightB) * bz + (rowC + first * rightC) * cz;
+    const perPixel = rightB * bz + rightC * cz;
+    const start = row * MAP_SIZE + left;
+    for (let pixel = start + first; pixel <= start + end; pixel++) {
+      if (near > nearness[pixel]) {
+        nearness[pixel] = near;
+        triangles[pixel] = triangle;
+      }
+      near += perPixel;
+    }
+    rowB += upB;
+    rowC += upC;
   }
 }

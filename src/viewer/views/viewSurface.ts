@@ -1,4 +1,4 @@
-import type { MeshParts } from '../files/mesh/PlainMesh.js';
+import { boundsOf, type MeshParts } from '../files/mesh/PlainMesh.js';
 import type { UpAxis } from '../files/mesh/UpAxis.js';
 import { type Landmark, landmarksOf } from './landmarks.js';
 
@@ -96,36 +96,42 @@ function landmarksIn(parts: NamedPoints | undefined, upright: Float32Array, asFi
 
 /** The function that turns points upright, and moves and scales them as these positions have to be to lie in the unit sphere. */
 function fitting(positions: ArrayLike<number>, rows: readonly (readonly [number, number])[]): Fit {
-  const turned = (points: ArrayLike<number>): Float32Array<ArrayBuffer> => {
-    const upright = new Float32Array(points.length);
-    for (let k = 0; k < 3; k++) {
-      const [sign, axis] = rows[k];
-      for (let i = 0; i < points.length; i += 3) upright[i + k] = sign * points[i + axis];
-    }
-    return upright;
-  };
-  const upright = turned(positions);
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < upright.length; i++) {
-    const k = i % 3;
-    if (upright[i] < low[k]) low[k] = upright[i];
-    if (upright[i] > high[k]) high[k] = upright[i];
-  }
-  const middle = low.map((value, k) => (value + high[k]) / 2);
-  let square = 0;
-  for (let i = 0; i < upright.length; i += 3) {
-    square = Math.max(
-      square,
-      (upright[i] - middle[0]) ** 2 + (upright[i + 1] - middle[1]) ** 2 + (upright[i + 2] - middle[2]) ** 2,
-    );
-  }
-  const scale = square > 0 ? 1 / Math.sqrt(square) : 1;
+  const { low, high } = boundsOf(positions);
+  const middle = low.map((value, axis) => (value + high[axis]) / 2);
+  const radius = farthest(positions, middle[0], middle[1], middle[2]);
+  const scale = radius > 0 ? 1 / radius : 1;
   return (points) => {
-    const fitted = points === positions ? upright.slice() : turned(points);
-    for (let i = 0; i < fitted.length; i++) fitted[i] = scale * (fitted[i] - middle[i % 3]);
+    const fitted = new Float32Array(points.length);
+    for (const [k, [sign, axis]] of rows.entries()) {
+      copyAxis(fitted, k, points, axis, sign * scale, -sign * scale * middle[axis]);
+    }
     return fitted;
   };
+}
+
+/** The largest distance of points from a place. */
+function farthest(points: ArrayLike<number>, x: number, y: number, z: number): number {
+  let square = 0;
+  for (let i = 0; i < points.length; i += 3) {
+    const dx = points[i] - x;
+    const dy = points[i + 1] - y;
+    const dz = points[i + 2] - z;
+    const here = dx * dx + dy * dy + dz * dz;
+    if (here > square) square = here;
+  }
+  return Math.sqrt(square);
+}
+
+/** Copies one coordinate of each point to another, scaled and moved. */
+function copyAxis(
+  to: Float32Array,
+  k: number,
+  from: ArrayLike<number>,
+  axis: number,
+  scale: number,
+  offset: number,
+): void {
+  for (let i = 0; i < from.length; i += 3) to[i + k] = scale * from[i + axis] + offset;
 }
 
 /** Merges the vertices in each cell of a grid. Triangles that lose a corner stay, without area. */
@@ -170,34 +176,16 @@ function measured(
   let kept = 0;
   let area = 0;
   for (let triangle = 0; triangle < count; triangle++) {
-    const a = 3 * corners[3 * triangle];
-    const b = 3 * corners[3 * triangle + 1];
-    const c = 3 * corners[3 * triangle + 2];
-    const ux = positions[b] - positions[a];
-    const uy = positions[b + 1] - positions[a + 1];
-    const uz = positions[b + 2] - positions[a + 2];
-    const vx = positions[c] - positions[a];
-    const vy = positions[c + 1] - positions[a + 1];
-    const vz = positions[c + 2] - positions[a + 2];
-    const x = uy * vz - uz * vy;
-    const y = uz * vx - ux * vz;
-    const z = ux * vy - uy * vx;
-    const length = Math.sqrt(x * x + y * y + z * z);
-    if (!(length > 1e-12)) continue;
-    indices.set(corners.subarray(3 * triangle, 3 * triangle + 3), 3 * kept);
-    normals[3 * kept] = x / length;
-    normals[3 * kept + 1] = y / length;
-    normals[3 * kept + 2] = z / length;
-    areas[kept] = length / 2;
+    const twice = setNormal(normals, kept, positions, corners, 3 * triangle);
+    if (!(twice > 1e-12)) continue;
+    for (let k = 0; k < 3; k++) indices[3 * kept + k] = corners[3 * triangle + k];
+    areas[kept] = twice / 2;
     if (sides && isSingleSided) sides[kept] = isSingleSided[triangle];
-    area += length / 2;
+    area += twice / 2;
     kept++;
   }
-  let [halfHeight, halfWidth] = [0, 0];
-  for (let i = 0; i < positions.length; i += 3) {
-    halfHeight = Math.max(halfHeight, Math.abs(positions[i + 1]));
-    halfWidth = Math.max(halfWidth, Math.abs(positions[i]), Math.abs(positions[i + 2]));
-  }
+  const { low, high } = boundsOf(positions);
+  const half = high.map((value, axis) => Math.max(value, -low[axis]));
   return {
     positions,
     indices: indices.slice(0, 3 * kept),
@@ -205,7 +193,34 @@ function measured(
     areas: areas.slice(0, kept),
     area,
     isSingleSided: sides?.slice(0, kept) ?? null,
-    halfHeight,
-    halfWidth,
+    halfHeight: half[1],
+    halfWidth: Math.max(half[0], half[2]),
   };
+}
+
+/** Sets the unit normal of a triangle, and returns twice its area. @param triangle of the normals @param corner the first one */
+function setNormal(
+  normals: Float32Array,
+  triangle: number,
+  positions: Float32Array,
+  corners: Uint32Array,
+  corner: number,
+): number {
+  const a = 3 * corners[corner];
+  const b = 3 * corners[corner + 1];
+  const c = 3 * corners[corner + 2];
+  const ux = positions[b] - positions[a];
+  const uy = positions[b + 1] - positions[a + 1];
+  const uz = positions[b + 2] - positions[a + 2];
+  const vx = positions[c] - positions[a];
+  const vy = positions[c + 1] - positions[a + 1];
+  const vz = positions[c + 2] - positions[a + 2];
+  const x = uy * vz - uz * vy;
+  const y = uz * vx - ux * vz;
+  const z = ux * vy - uy * vx;
+  const length = Math.sqrt(x * x + y * y + z * z);
+  normals[3 * triangle] = x / length;
+  normals[3 * triangle + 1] = y / length;
+  normals[3 * triangle + 2] = z / length;
+  return length;
 }

@@ -221,7 +221,7 @@ function isClosed(surface: ViewSurface): boolean {
         if (map.triangles[pixel] === NOTHING) continue;
         seen++;
         const place = placeOf(map, pixel);
-        if (place[1] < ceiling && isWithin(place)) inside++;
+        if (place[1] < ceiling && isWithin(place[0], place[2])) inside++;
       }
     }
   }
