@@ -5,6 +5,8 @@ import type { ViewSurface } from './viewSurface.js';
 export const MAP_SIZE = 128;
 /** Stands for no triangle. */
 export const NOTHING = -1;
+/** Of rows of fewer pixels each is tested. */
+const NARROW = 6;
 /** Pixels to a unit. */
 const PIXELS = MAP_SIZE / 2;
 
@@ -102,25 +104,29 @@ function drawTriangle(
   const bz = PIXELS * projected[b + 2] - az;
   const cz = PIXELS * projected[c + 2] - az;
   for (let row = bottom; row <= top; row++) {
-    // The first and last pixel of the row at which no weight is below 0.
     let first = 0;
     let end = right - left;
-    for (let edge = 0; edge < 3; edge++) {
+    // In few pixels the search for the ends would take longer than the test of each.
+    for (let edge = end < NARROW ? 3 : 0; edge < 3; edge++) {
       const weight = edge === 0 ? rowB : edge === 1 ? rowC : 1 - rowB - rowC;
       const step = edge === 0 ? rightB : edge === 1 ? rightC : -rightB - rightC;
       if (step > 0) first = Math.max(first, Math.ceil((EDGE - weight) / step));
       else if (step < 0) end = Math.min(end, Math.floor((EDGE - weight) / step));
       else if (weight < EDGE) end = -1;
     }
-    let near = az + (rowB + first * rightB) * bz + (rowC + first * rightC) * cz;
-    const perPixel = rightB * bz + rightC * cz;
+    let weightB = rowB + first * rightB;
+    let weightC = rowC + first * rightC;
     const start = row * MAP_SIZE + left;
     for (let pixel = start + first; pixel <= start + end; pixel++) {
-      if (near > nearness[pixel]) {
-        nearness[pixel] = near;
-        triangles[pixel] = triangle;
+      if (weightB >= EDGE && weightC >= EDGE && weightB + weightC <= 1 - EDGE) {
+        const near = az + weightB * bz + weightC * cz;
+        if (near > nearness[pixel]) {
+          nearness[pixel] = near;
+          triangles[pixel] = triangle;
+        }
       }
-      near += perPixel;
+      weightB += rightB;
+      weightC += rightC;
     }
     rowB += upB;
     rowC += upC;
