@@ -11,6 +11,8 @@ const STAND_SHARE = 0.25;
 const DISTINCTNESS = 3;
 /** A model that would be lower than this share of its width may be a relief or a board that hangs on a wall. */
 const LOWEST = 0.4;
+/** So may one that would be lower than the first share, if it is higher than the second share of its width as it is. */
+const HANGING = { lowest: 0.6, upright: 0.95 };
 /** A model that would be lower than this share of its length and of its width is a door or a railing that stands upright. */
 const UPRIGHT = 0.2;
 /** A model that is thinner than this share of its length and width is a plate, even though its edges are flat too. */
@@ -47,7 +49,10 @@ export function findUpAxis(
   const size = AXES.map((_, axis) => high[axis] - low[axis]);
   const tolerance = FLATNESS * Math.max(...size);
   const sides = outerSides(positions, low, high, tolerance);
-  const onFeet = axisOfFeet((side, axis) => standsOnFeet(positions, indices, sides, side, axis, size));
+  // Only printers' files are on their side; elsewhere posts at the end of a bed are no feet.
+  const onFeet = axisOfFeet(
+    (side, axis) => (axis > 0 || usual.liesFlat) && standsOnFeet(positions, indices, sides, side, axis, size),
+  );
   if (onFeet === usual.up) return undefined;
   if (onFeet && !wouldLie(size, onFeet)) return { up: onFeet, on: 'feet' };
   if (standsFirmly(positions, indices, usual.up)) return undefined;
@@ -65,6 +70,13 @@ function wouldLie(size: readonly number[], up: UpAxis): boolean {
   return size[height] < UPRIGHT * Math.min(...size.filter((_, axis) => axis !== height));
 }
 
+/** Whether a model that would be low with an axis up may hang on a wall. @param up the axis @param usual the usual one of its format */
+function mayHang(size: readonly number[], up: number, usual: number): boolean {
+  const width = Math.max(...size.filter((_, axis) => axis !== up));
+  const isUpright = up !== usual && size[usual] > HANGING.upright * size[3 - up - usual];
+  return size[up] < (isUpright ? HANGING.lowest : LOWEST) * width;
+}
+
 /** The up axis of the other half of all programs. */
 const OTHER = { y: 'z', z: 'y' } as const;
 
@@ -80,8 +92,9 @@ function axisOfSide(
   indices: ArrayLike<number> | null,
   sides: Uint8Array,
   size: readonly number[],
-  { liesFlat }: UsualUp,
+  usual: UsualUp,
 ): UpAxis | undefined {
+  const { liesFlat } = usual;
   /** The area on the lower and on the upper side across each axis. */
   const areas = AXES.map(() => [0, 0] as [number, number]);
   const corners = indices?.length ?? positions.length / 3;
@@ -109,9 +122,8 @@ function axisOfSide(
   if (shares[best] < STAND_SHARE) return undefined;
   if (!isPlate) {
     const others = shares.filter((_, axis) => axis !== best);
-    const width = Math.max(...size.filter((_, axis) => axis !== best));
     if (shares[best] < DISTINCTNESS * Math.max(...others)) return undefined;
-    if (!liesFlat && size[best] < LOWEST * width) return undefined;
+    if (!liesFlat && mayHang(size, best, AXES.indexOf(usual.up))) return undefined;
   }
   // Only printers' files are often upside down or on their side.
   if (!liesFlat) return best === 0 ? undefined : AXES[best];

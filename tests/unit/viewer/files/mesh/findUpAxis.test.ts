@@ -103,11 +103,23 @@ describe('the axis that points up', () => {
   test.each([
     ['z', seat().rotateX(quarter)],
     ['-y', seat().rotateX(Math.PI)],
-    ['x', seat().rotateZ(-quarter)],
     ['z', mergeGeometries([seat(), seat().scale(0.5, 1, 0.5).translate(0, 0, 1.5)]).rotateX(quarter)],
   ])('is %s by feet, though it would lie firmly on its back', (up, geometry) => {
     expect(upOf(geometry)).toBe(up);
     expect(upOf(geometry.toNonIndexed())).toBe(up);
+  });
+
+  test('is across the width by feet only in a format for printers', () => {
+    const side = seat().rotateZ(-quarter);
+    expect(upOf(side, PRINTED)).toBe('x');
+    expect(upOf(side)).toBeUndefined();
+  });
+
+  test('is not by the flat back of what is higher than wide, unless it is deep', () => {
+    const onBack = (width: number, depth: number) => cone().scale(width, depth, 1).rotateX(quarter);
+    expect(upOf(onBack(0.7, 0.5))).toBeUndefined();
+    expect(upOf(onBack(1.3, 0.65))).toBe('z');
+    expect(upOf(onBack(0.7, 0.7))).toBe('z');
   });
 
   test('is believed of what stands on feet, or would on either end', () => {
