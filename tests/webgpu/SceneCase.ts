@@ -25,7 +25,7 @@ export interface Stage {
   /** A render pass around the scene, for nodes. Default: none. */
   through?(scene: Scene, camera: Camera): Node;
   /** Changes the scene after a first frame. The second frame is compared. */
-  change?(): void;
+  change?(): void | Promise<void>;
 }
 
 /** A scene that is drawn in GLSL and of nodes. */

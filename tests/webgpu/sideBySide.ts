@@ -65,7 +65,7 @@ async function draw(
   stage.scene.background ??= new Color(0x00ff00);
   draw(stage);
   if (stage.change) {
-    stage.change();
+    await stage.change();
     // WebGPURenderer moves bones once a frame.
     await new Promise(requestAnimationFrame);
     draw(stage);

@@ -1,14 +1,10 @@
 import {
   type Camera,
   FrontSide,
-  Frustum,
   GLSL3,
   type Material,
-  Matrix4,
-  type Mesh,
   NearestFilter,
   NoBlending,
-  type Object3D,
   RGBAIntegerFormat,
   type Scene,
   ShaderMaterial,
@@ -21,24 +17,14 @@ import lineFragment from '../../../shaders/meetings/meeting.frag?raw';
 import lineVertex from '../../../shaders/meetings/meeting.vert?raw';
 import partFragment from '../../../shaders/meetings/part.frag?raw';
 import partVertex from '../../../shaders/meetings/part.vert?raw';
-import { FrameStamp } from '../FrameStamp.js';
 import type { Shaders } from '../shaders/hatchingShaders.js';
 import type { IntersectingOutlines } from './IntersectingOutlines.js';
-import { type NumberedPart, numberParts } from './NumberedPart.js';
+import type { NumberedPart } from './NumberedPart.js';
+import { type DrawnOutlines, type LineDrawer, SCREEN_VERTICES } from './ScreenLines.js';
 
-/** Outlines of WebGLRenderer. */
-export type DrawnOutlines = IntersectingOutlines & Object3D & { readonly geometry: Mesh['geometry'] };
-
-/** Frames after which a map of parts is freed, if nothing has moved. */
-const KEPT_FRAMES = 60;
 /** What the map of parts holds where there is none. */
 const NOTHING = /* @__PURE__ */ new Uint32Array(4);
-/** Vertices of the triangle that covers the screen. */
-const SCREEN_VERTICES = 3;
 const MAIN = 'void main() {';
-
-const frustum = /* @__PURE__ */ new Frustum();
-const matrix = /* @__PURE__ */ new Matrix4();
 
 /** A shader without its main function, which is its last. */
 const functionsOf = (shader: string): string => shader.slice(0, shader.lastIndexOf(MAIN));
@@ -104,62 +90,16 @@ class LineMaterial extends ShaderMaterial {
   }
 }
 
-/** The lines on the screen of one renderer, from a map that holds the part and the plane that each pixel shows. */
-class MovingLines {
+/** Draws lines between parts that move, with WebGLRenderer. */
+class MovingLines implements LineDrawer {
   private map: WebGLRenderTarget | null = null;
-  private readonly frame = new FrameStamp();
-  private isMapped = false;
-  private lastMoved = 0;
   private readonly parts = new Map<IntersectingOutlines, PartMaterial>();
   private readonly lines = new Map<Material, LineMaterial>();
-  /** The outline materials of the frame, and which of them have been drawn. */
-  private readonly looks: Material[] = [];
-  private readonly isDrawn: boolean[] = [];
 
   constructor(private readonly renderer: WebGLRenderer) {}
 
-  /** Draws the lines of the material of outlines, once for each camera in a frame. Allocates nothing while the same parts move. */
-  draw(outlines: DrawnOutlines, parts: readonly NumberedPart[], root: Object3D, scene: Scene, camera: Camera): void {
+  drawMap(parts: readonly NumberedPart[], { material }: DrawnOutlines, scene: Scene, camera: Camera): void {
     const { renderer } = this;
-    if (!this.frame.isOf(renderer, camera)) {
-      this.frame.note(renderer, camera);
-      this.isMapped = this.update(outlines, parts, root, scene, camera);
-    }
-    const look = this.isMapped ? this.looks.indexOf(outlines.material) : -1;
-    if (look < 0 || this.isDrawn[look]) return;
-    this.isDrawn[look] = true;
-    const material = this.lineMaterial(outlines.material as ShaderMaterial);
-    material.uniforms.partLook.value = look + 1;
-    outlines.geometry.setDrawRange(0, SCREEN_VERTICES);
-    renderer.renderBufferDirect(camera, scene, outlines.geometry, material, outlines, null!);
-  }
-
-  /** Frees the map and the materials; a later frame makes new ones. */
-  private readonly free = (): void => {
-    this.map?.dispose();
-    this.map = null;
-    for (const material of [...this.parts.values(), ...this.lines.values()]) material.dispose();
-    this.parts.clear();
-    this.lines.clear();
-    this.renderer.domElement.removeEventListener('webglcontextlost', this.free);
-  };
-
-  /** Draws the map, if parts have moved against each other. Returns whether they have. */
-  private update(
-    { material }: DrawnOutlines,
-    parts: readonly NumberedPart[],
-    root: Object3D,
-    scene: Scene,
-    camera: Camera,
-  ): boolean {
-    const { renderer } = this;
-    if (renderer.xr.isPresenting) return false;
-    const { frame } = renderer.info.render;
-    if (numberParts(parts, root) < 2) {
-      if (this.map && frame > this.lastMoved + KEPT_FRAMES) this.free();
-      return false;
-    }
-    this.lastMoved = frame;
     const viewport = (material as ShaderMaterial).uniforms.viewport.value as Vector4;
     const target = renderer.getRenderTarget();
     const face = renderer.getActiveCubeFace();
@@ -172,37 +112,35 @@ class MovingLines {
     const gl = renderer.getContext() as WebGL2RenderingContext;
     gl.clearBufferuiv(gl.COLOR, 0, NOTHING);
     renderer.clear(false, true, false);
-    this.drawParts(parts, scene, camera);
+    for (let i = 0; i < parts.length; i++) if (parts[i].look > 0) this.drawPart(parts[i], scene, camera);
     renderer.setRenderTarget(target, face, level);
     // Each camera of an ArrayCamera draws into its own part of the render target.
     if (own) renderer.state.viewport(own);
-    return true;
   }
 
-  private drawParts(parts: readonly NumberedPart[], scene: Scene, camera: Camera): void {
-    this.looks.length = this.isDrawn.length = 0;
-    matrix.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    const { coordinateSystem, reversedDepth } = camera as Camera & { reversedDepth?: boolean };
-    frustum.setFromProjectionMatrix(matrix, coordinateSystem, reversedDepth);
-    for (let i = 0; i < parts.length; i++) {
-      const { number, outlines } = parts[i];
-      const mesh = outlines.mesh!;
-      // What lies outside may not be on the card.
-      if (number === 0 || !mesh.layers.test(camera.layers) || !frustum.intersectsObject(mesh)) continue;
-      const surface = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
-      const material = this.partMaterial(outlines);
-      material.take(number, this.lookOf(outlines.material), surface);
-      mesh.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld);
-      this.renderer.renderBufferDirect(camera, scene, mesh.geometry, material, mesh, null!);
-    }
+  drawLines(outlines: DrawnOutlines, look: number, scene: Scene, camera: Camera): void {
+    const material = this.lineMaterial(outlines.material as ShaderMaterial);
+    material.uniforms.partLook.value = look;
+    outlines.geometry.setDrawRange(0, SCREEN_VERTICES);
+    this.renderer.renderBufferDirect(camera, scene, outlines.geometry, material, outlines, null!);
   }
 
-  /** The number of an outline material in this frame, from 1. */
-  private lookOf(material: Material): number {
-    const known = this.looks.indexOf(material);
-    if (known >= 0) return known + 1;
-    this.isDrawn.push(false);
-    return this.looks.push(material);
+  readonly free = (): void => {
+    this.map?.dispose();
+    this.map = null;
+    for (const material of [...this.parts.values(), ...this.lines.values()]) material.dispose();
+    this.parts.clear();
+    this.lines.clear();
+    this.renderer.domElement.removeEventListener('webglcontextlost', this.free);
+  };
+
+  private drawPart({ number, look, outlines }: NumberedPart, scene: Scene, camera: Camera): void {
+    const mesh = outlines.mesh!;
+    const surface = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
+    const material = this.partMaterial(outlines);
+    material.take(number, look, surface);
+    mesh.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld);
+    this.renderer.renderBufferDirect(camera, scene, mesh.geometry, material, mesh, null!);
   }
 
   private mapOf(width: number, height: number): WebGLRenderTarget {
@@ -245,25 +183,5 @@ class MovingLines {
   }
 }
 
-const all = new WeakMap<WebGLRenderer, MovingLines>();
-
-/**
- * Draws, over what outlines have drawn, the lines where parts of a scene meet that move against each other, are instances or deform.
- *
- * @param root the scene of the parts
- */
-export function drawMovingLines(
-  outlines: DrawnOutlines,
-  parts: readonly NumberedPart[],
-  root: Object3D,
-  renderer: WebGLRenderer,
-  scene: Scene,
-  camera: Camera,
-): void {
-  let lines = all.get(renderer);
-  if (!lines) {
-    lines = new MovingLines(renderer);
-    all.set(renderer, lines);
-  }
-  lines.draw(outlines, parts, root, scene, camera);
-}
+/** Makes what draws lines with WebGLRenderer. */
+export const makeDrawer = (renderer: WebGLRenderer): LineDrawer => new MovingLines(renderer);

@@ -31,6 +31,8 @@ export const isLoose = (mesh: Mesh): boolean => 'isInstancedMesh' in mesh || def
 export class NumberedPart {
   /** Equal for parts whose lines are known where they are now; 0 for one that meets nothing. */
   number = 0;
+  /** The number of its outline material in a frame, from 1; 0 if it is not in view. */
+  look = 0;
   /** From the place at the last search to the place now. */
   readonly movement = new Matrix4();
   private readonly searchedAt = new Matrix4();

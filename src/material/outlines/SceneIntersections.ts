@@ -7,9 +7,9 @@ import { FrameStamp } from '../FrameStamp.js';
 import { type OutlineData, outlineDataOf } from '../geometry/OutlineData.js';
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
 import { MeetingLines, type NewPart, relativeTo } from './MeetingLines.js';
-import type { DrawnOutlines } from './MovingLines.js';
 import { hasHoles, isLoose, NumberedPart, numberParts } from './NumberedPart.js';
 import type { OutlinePart } from './OutlineParts.js';
+import { type DrawnOutlines, type LineDrawer, ScreenLines } from './ScreenLines.js';
 
 /** How long meshes rest before the lines between them are computed, milliseconds. */
 const REST = 120;
@@ -198,25 +198,55 @@ export const withIntersections = (
   newPart: NewPart,
 ): readonly OutlinePart[] => sceneOf(topOf(outlines.mesh!)).note(outlines).lines.add(parts, newPart);
 
-/** What draws the lines between parts that move, once it is fetched. */
-let moving: typeof import('./MovingLines.js') | null = null;
-let isFetching = false;
-
-/** Draws the lines where the parts of a scene meet that move against each other. Fetches the code when the first ones do. */
-export function drawMoving(outlines: DrawnOutlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
-  const intersections = sceneOf(topOf(outlines.mesh!));
-  const { parts, root } = intersections;
-  if (moving) moving.drawMovingLines(outlines, parts, root, renderer, scene, camera);
-  else if (!isFetching && intersections.beginsToMove(renderer, camera)) fetchMoving(root).catch(() => {});
+/** The code that draws lines between parts that move with one kind of renderer. */
+export interface MovingCode {
+  makeDrawer(renderer: WebGLRenderer): LineDrawer;
 }
 
-async function fetchMoving(root: Object3D): Promise<void> {
-  isFetching = true;
+/** Fetches the code for a kind of renderer: one function for each kind. */
+export type FetchMoving = () => Promise<MovingCode>;
+
+const fetchOfWebGL: FetchMoving = () => import('./MovingLines.js');
+
+/** The code that is there; null while it is fetched. */
+const codes = new Map<FetchMoving, MovingCode | null>();
+const screens = new WeakMap<WebGLRenderer, ScreenLines>();
+
+/**
+ * Draws the lines where the parts of a scene meet that move against each other, are instances or deform, over what outlines have drawn.
+ * Fetches the code when the first ones do.
+ */
+export function drawMoving(
+  outlines: DrawnOutlines,
+  renderer: WebGLRenderer,
+  scene: Scene,
+  camera: Camera,
+  fetch: FetchMoving = fetchOfWebGL,
+): void {
+  const intersections = sceneOf(topOf(outlines.mesh!));
+  const { parts, root } = intersections;
+  const code = codes.get(fetch);
+  if (code) screenOf(renderer, code).draw(outlines, parts, root, scene, camera);
+  else if (code === undefined && intersections.beginsToMove(renderer, camera)) fetchMoving(fetch, root).catch(() => {});
+}
+
+function screenOf(renderer: WebGLRenderer, code: MovingCode): ScreenLines {
+  let screen = screens.get(renderer);
+  if (!screen) {
+    screen = new ScreenLines(renderer, code.makeDrawer(renderer));
+    screens.set(renderer, screen);
+  }
+  return screen;
+}
+
+async function fetchMoving(fetch: FetchMoving, root: Object3D): Promise<void> {
+  codes.set(fetch, null);
   try {
-    moving = await import('./MovingLines.js');
+    codes.set(fetch, await fetch());
     root.dispatchEvent({ type: 'intersections' } as never);
-  } finally {
-    isFetching = false;
+  } catch (error) {
+    codes.delete(fetch);
+    throw error;
   }
 }
 

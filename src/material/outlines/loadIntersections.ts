@@ -1,9 +1,11 @@
 import type { Camera, Scene, WebGLRenderer } from 'three';
 import { type IntersectingOutlines, wantsIntersections } from './IntersectingOutlines.js';
 import type { NewPart } from './MeetingLines.js';
-import type { DrawnOutlines } from './MovingLines.js';
 import type { OutlinePart } from './OutlineParts.js';
 import type * as SceneIntersections from './SceneIntersections.js';
+import type { DrawnOutlines } from './ScreenLines.js';
+
+export type { FetchMoving } from './SceneIntersections.js';
 
 let loaded: typeof SceneIntersections | null = null;
 /** Outlines that were drawn before the code was there. */
@@ -31,9 +33,19 @@ export function drawnParts(
   return parts;
 }
 
-/** Draws the lines between parts that move against each other, after the outlines of a mesh, if those want them. */
-export function drawMovingLines(outlines: DrawnOutlines, renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
-  if (wantsIntersections(outlines)) loaded?.drawMoving(outlines, renderer, scene, camera);
+/**
+ * Draws the lines between parts that move against each other, after the outlines of a mesh, if those want them.
+ *
+ * @param fetch fetches the code for the renderer. Default: that for WebGLRenderer
+ */
+export function drawMovingLines(
+  outlines: DrawnOutlines,
+  renderer: WebGLRenderer,
+  scene: Scene,
+  camera: Camera,
+  fetch?: SceneIntersections.FetchMoving,
+): void {
+  if (wantsIntersections(outlines)) loaded?.drawMoving(outlines, renderer, scene, camera, fetch);
 }
 
 /** Frees the lines where the mesh of outlines meets others. */

@@ -38,6 +38,7 @@ import {
 import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
 import { writeSheet } from '../../material/pictureOffset.js';
 import { toothMap } from '../../material/tam/toothMap.js';
+import type { OutlineDefines } from '../nodes/outlines/fragments.js';
 import { clipSpine, type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
 
 const NAME = 'HatchingOutlineNodeMaterial';
@@ -71,6 +72,11 @@ function writeCanvasBlend(ink: Color, paper: Color | undefined, uniform: Vector4
   uniform.set(paperGrey, inkGrey, light, isClear ? 1 / (lightOf(inkGrey) - light) : 0);
 }
 
+/** Makes the nodes of what a material draws. */
+export type MakeNodes = (defines: OutlineDefines) => OutlineNodes;
+
+const hiddenNodes: MakeNodes = (defines) => outlineNodes({ ...defines, HIDDEN: true });
+
 export interface HatchingOutlineNodeMaterial
   extends Pick<HatchingOutlineMaterial, OutlineNumberName | 'ink' | 'weights' | 'hidden' | 'intersections'> {}
 
@@ -90,9 +96,9 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
 
   private hiddenLines: HiddenOutlines = HATCHING_OUTLINE_DEFAULTS.hidden;
   private nodes!: OutlineNodes;
-  private hiddenOnes: HatchingOutlineNodeMaterial | null = null;
-  /** Whether it draws hidden outlines. */
-  private isHidden = false;
+  private makeNodes: MakeNodes = outlineNodes;
+  /** The materials that draw something else with the same look. */
+  private readonly others = new Map<MakeNodes, HatchingOutlineNodeMaterial>();
 
   /** @throws RangeError if a number is out of its range; TypeError if `ink` is not a colour, or `weights` has an unknown name */
   constructor(parameters: HatchingOutlineParameters | undefined = undefined) {
@@ -149,29 +155,41 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     return this;
   }
 
+  /** The material of hidden outlines, updated. @internal */
+  ofHidden(): HatchingOutlineNodeMaterial {
+    const hidden = this.drawing(hiddenNodes);
+    copyDrawState(this, hidden);
+    // Hidden outlines are found per fragment.
+    hidden.depthTest = false;
+    return hidden;
+  }
+
   /**
-   * The material of hidden outlines, which has the same look and uniforms, updated.
+   * The material that draws something else with the same look and uniforms, updated.
    *
+   * @param more names of uniforms that it has in addition
    * @internal
    */
-  ofHidden(): HatchingOutlineNodeMaterial {
-    if (!this.hiddenOnes) {
-      const made = new HatchingOutlineNodeMaterial();
-      made.isHidden = true;
-      (made as { uniforms: Record<string, IUniform> }).uniforms = this.uniforms;
-      this.hiddenOnes = made;
-      this.addEventListener('dispose', () => {
-        made.dispose();
-      });
-    }
-    const { hiddenOnes } = this;
-    copyDrawState(this, hiddenOnes);
-    hiddenOnes.fog = this.fog;
-    hiddenOnes.paperGrain = this.paperGrain;
-    hiddenOnes.wobble = this.wobble;
-    // Hidden outlines are found per fragment.
-    hiddenOnes.depthTest = false;
-    return hiddenOnes;
+  drawing(makeNodes: MakeNodes, more: readonly string[] = []): HatchingOutlineNodeMaterial {
+    const other = this.others.get(makeNodes) ?? this.makeOther(makeNodes, more);
+    other.fog = this.fog;
+    other.paperGrain = this.paperGrain;
+    other.wobble = this.wobble;
+    return other;
+  }
+
+  private makeOther(makeNodes: MakeNodes, more: readonly string[]): HatchingOutlineNodeMaterial {
+    const made = new HatchingOutlineNodeMaterial();
+    made.makeNodes = makeNodes;
+    made.chooseNodes();
+    const { uniforms } = this;
+    const own = Object.fromEntries(more.map((name) => [name, { value: null }]));
+    (made as { uniforms: Record<string, IUniform> }).uniforms = more.length === 0 ? uniforms : { ...uniforms, ...own };
+    this.others.set(makeNodes, made);
+    this.addEventListener('dispose', () => {
+      made.dispose();
+    });
+    return made;
   }
 
   /** The same for all materials that share a program. */
@@ -248,7 +266,7 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
   }
 
   private chooseNodes(): void {
-    const nodes = outlineNodes({ HIDDEN: this.isHidden, PAPER_GRAIN: this.paperGrain > 0, WOBBLE: this.wobble > 0 });
+    const nodes = this.makeNodes({ HIDDEN: false, PAPER_GRAIN: this.paperGrain > 0, WOBBLE: this.wobble > 0 });
     if (nodes === this.nodes) return;
     this.nodes = nodes;
     // Nodes are shared by all materials, so that they share programs.

@@ -5,7 +5,6 @@ import {
   type InstancedMesh,
   type Material,
   type Mesh,
-  type Object3D,
   type RenderTarget,
   type Scene,
   SRGBTransfer,
@@ -13,31 +12,19 @@ import {
   Vector4,
   type WebGLRenderer,
 } from 'three';
-import type { ClippingGroup, Renderer, WebGPURenderer } from 'three/webgpu';
+import type { WebGPURenderer } from 'three/webgpu';
 import { warn } from '../../material/diagnostics/warn.js';
 import type { HatchingOutlineParameters } from '../../material/outlines/HatchingOutlineMaterial.js';
+import { drawMovingLines, type FetchMoving } from '../../material/outlines/loadIntersections.js';
 import { fadingLookOf, MeshOutlines, meanScale, NO_PARTS } from '../../material/outlines/MeshOutlines.js';
 import type { OutlinePart } from '../../material/outlines/OutlineParts.js';
 import { isCutOut, isDrawnBefore, showsBack } from '../../material/outlines/surfaceRules.js';
-import { clippingOfFrame } from '../../material/three/clipping.js';
+import { clippingOf } from './clippingOf.js';
 import { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
 import { placesOf } from './instancePlaces.js';
 import { hasFloatTargets, nodeDeformations } from './NodePosePass.js';
 
-type Clipping = Parameters<Renderer['renderObject']>[7];
-
-/** The clipping planes of a group, with those of its ancestors. */
-function clippingIn(group: Object3D | null, ofScene: Clipping): Clipping {
-  if (!group || !ofScene) return ofScene;
-  const outer = clippingIn(group.parent, ofScene);
-  const isClipping = 'isClippingGroup' in group && (group as ClippingGroup).enabled;
-  return outer && isClipping ? outer.getGroupContext(group as ClippingGroup) : outer;
-}
-
-/** The clipping planes of an object in the current frame: three.js does not pass them to objects that it draws once more. */
-function clippingOf(object: Object3D, renderer: WebGPURenderer): Clipping {
-  return clippingIn(object.parent, clippingOfFrame<Clipping>(renderer) ?? null);
-}
+const fetchMovingLines: FetchMoving = () => import('./NodeMovingLines.js');
 
 const drawnInto = /* @__PURE__ */ new Vector4();
 const size = /* @__PURE__ */ new Vector2();
@@ -111,9 +98,28 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
       this.drawHidden(renderer, scene, camera, i);
       this.endSurface();
     }
+    if (drawn.length > 0) drawMovingLines(this, renderer as unknown as WebGLRenderer, scene, camera, fetchMovingLines);
     this.drawn = NO_PARTS;
     this.moveToCentre();
   };
+
+  /**
+   * Draws a triangle that covers the screen, unclipped.
+   *
+   * @param material one that draws something else with the look of these outlines
+   * @internal
+   */
+  drawOnScreen(
+    renderer: WebGPURenderer,
+    scene: Scene,
+    camera: Camera,
+    material: HatchingOutlineNodeMaterial,
+    pass: string,
+  ): void {
+    this.count = 1;
+    this.setCount(1);
+    this.drawMore(renderer, scene, camera, material, pass, null);
+  }
 
   /** Binds a part of the outlines for the next draw. */
   private bindPart(renderer: WebGPURenderer, camera: Camera, mesh: Mesh, part: OutlinePart): void {
@@ -157,10 +163,10 @@ export class HatchingOutlines extends MeshOutlines<HatchingOutlineNodeMaterial> 
     camera: Camera,
     material: HatchingOutlineNodeMaterial,
     pass: string,
+    clipping = clippingOf(this, renderer),
   ): void {
     this.isDrawingMore = true;
     const lights = renderer.lighting.getNode(scene);
-    const clipping = clippingOf(this, renderer);
     renderer.renderObject(this, scene, camera, this.geometry, material, null, lights, clipping, pass);
     this.isDrawingMore = false;
   }

@@ -109,6 +109,13 @@ export const nodes: readonly Mutation[] = [
     caughtBy: { layer: 'webgpu', file: 'tests/webgpu/outlines.spec.ts' },
   },
   {
+    name: 'instances of nodes count as one part where they meet',
+    file: 'src/webgpu/nodes/outlines/partMap.ts',
+    find: 'varying(partNumber.add(float(instanceIndex)))',
+    replace: 'varying(partNumber)',
+    caughtBy: { layer: 'webgpu', file: 'tests/webgpu/meetings.spec.ts' },
+  },
+  {
     name: 'ink of nodes that multiplies lies on white',
     file: 'src/webgpu/nodes/chunks/ink.ts',
     find: 'isMultiplied ? ground.mul(ink) : ink',

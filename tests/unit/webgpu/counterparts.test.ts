@@ -177,6 +177,8 @@ const OTHER_UNIFORMS: Record<string, readonly string[]> = {
 const OTHER_CONSTANTS: Record<string, readonly string[]> = {
   // A literal in GLSL.
   'chunks/shadowSearch.glsl': ['RINGS'],
+  // Words of integers in GLSL, and floats in nodes.
+  'meetings/part.frag': ['NUMBERS'],
   // A property of three.js' versions.
   'outlines/sceneDepth.glsl': ['REVERSES_FLOATS'],
   // The sum of the three numbers of HASH_STEP.

@@ -126,7 +126,7 @@ const LIFTED = 0.5;
  * @param along a wave along it, from −1 to 1
  * @param pixel of the render target, counted from the lower left
  */
-function dryInk(across: Value, along: Value, pixel: Value): Value {
+export function dryInk(across: Value, along: Value, pixel: Value): Value {
   const side = min(paperGrain.div(SOFT_TOOTH), 1).mul(across).mul(across);
   const loss = paperGrain.mul(LIFTED).mul(float(0.5).sub(along.mul(0.5)));
   const pressure = side.oneMinus().mul(loss.oneMinus());
@@ -140,7 +140,7 @@ function dryInk(across: Value, along: Value, pixel: Value): Value {
  */
 
 const ink = /* @__PURE__ */ hatchingUniform('ink', 'color');
-const opacity = /* @__PURE__ */ hatchingUniform('opacity', 'float');
+export const opacity: Value = /* @__PURE__ */ hatchingUniform('opacity', 'float');
 
 /** The point on the spine that a fragment belongs to, view space. Fog depends on it. */
 export const spinePosition: Value = /* @__PURE__ */ tsl.property('vec3', 'outlineSpinePosition');
@@ -187,6 +187,13 @@ function asOnCanvas(alpha: Value): Value {
   return select(canvasBlend.w.equal(0), alpha, light.sub(canvasBlend.z).mul(canvasBlend.w)).toVar();
 }
 
+/** The ink with an opacity. */
+export function inked(alpha: Value): Value {
+  Discard(alpha.lessThan(0.002));
+  // three.js multiplies by the opacity of the material.
+  return vec4(ink, asOnCanvas(alpha).div(opacity));
+}
+
 /** The ink, and the share of a pixel that it covers. */
 export const fragments = (defines: OutlineDefines): Value =>
   Fn((builder) => {
@@ -230,8 +237,5 @@ export const fragments = (defines: OutlineDefines): Value =>
         }
       });
     });
-    const alpha = coverage.mul(opacity).toVar();
-    Discard(alpha.lessThan(0.002));
-    // three.js multiplies by the opacity of the material.
-    return vec4(ink, asOnCanvas(alpha).div(opacity));
+    return inked(coverage.mul(opacity).toVar());
   })();

@@ -14,7 +14,7 @@ const { ACCENT_REACH, BEGINS_AS_PAPER, BESIDE, BEYOND, CUT_SLOPE, FULL_JUMP, IS_
 
 export const outlineWidth: Value = /* @__PURE__ */ hatchingUniform('outlineWidth', 'float');
 export const accents: Value = /* @__PURE__ */ hatchingUniform('accents', 'float');
-const isDrawnBefore = /* @__PURE__ */ hatchingUniform('isDrawnBefore', 'float');
+export const isDrawnBefore: Value = /* @__PURE__ */ hatchingUniform('isDrawnBefore', 'float');
 const isCutOut = /* @__PURE__ */ hatchingUniform('isCutOut', 'float');
 
 /** Longest piece, in pixels, that is tested at its ends; longer ones are tested per fragment. */

@@ -116,8 +116,8 @@ export interface OutlineNodes {
   outgoing: Node<'vec3'>;
   /** The z in view space that fog is computed from. */
   viewZ: Node<'float'>;
-  /** The depth of fragments for a logarithmic depth buffer. */
-  logarithmicDepth: Node<'float'>;
+  /** The depth of fragments for a logarithmic depth buffer; null for what is not tested against it. */
+  logarithmicDepth: Node<'float'> | null;
 }
 
 const known = new Map<string, OutlineNodes>();

@@ -92,6 +92,12 @@ const isInstanced = /* @__PURE__ */ hatchingUniform('isInstanced', 'float');
 /** The columns of the matrix of an instance. */
 export type InstancePlace = readonly [x: Value, y: Value, z: Value, origin: Value];
 
+/** The matrix of an instance by its number. */
+export const placeOfInstanceNumber = (instance: Value): InstancePlace => {
+  const column = (k: number): Value => instancePlaces.load(texelOf(instance.mul(4).add(k), instancePlaces)).xyz.toVar();
+  return [column(0), column(1), column(2), column(3)];
+};
+
 /** A primitive by its index, and the matrix of its instance. */
 export function readPrimitive(i: Value): { primitive: Value; instancePlace: InstancePlace } {
   const number = i.toVar();
@@ -112,9 +118,7 @@ export function readPrimitive(i: Value): { primitive: Value; instancePlace: Inst
   const column = (k: number): Value => vec3(...[0, 1, 2].map((row) => (row === k ? 1 : 0))).toVar();
   const instancePlace: InstancePlace = [column(0), column(1), column(2), column(3)];
   If(hasInstances, () => {
-    for (const [k, target] of instancePlace.entries()) {
-      target.assign(instancePlaces.load(texelOf(instance.mul(4).add(k), instancePlaces)).xyz);
-    }
+    for (const [k, target] of placeOfInstanceNumber(instance).entries()) instancePlace[k].assign(target);
   });
   return { primitive, instancePlace };
 }

@@ -12,7 +12,7 @@ const { cameraViewMatrix, dot, float, length, max, mix, modelNormalMatrix, model
 const { smoothstep, vec3, vec4 } = tsl;
 const { INSIDE, LIT, LOST_RANGE, LOST_TAPER, LOST_WEIGHT, SHADED } = OUTLINE_CONSTANTS;
 
-const shadeWeights = /* @__PURE__ */ hatchingUniform('shadeWeights', 'vec2');
+export const shadeWeights: Value = /* @__PURE__ */ hatchingUniform('shadeWeights', 'vec2');
 const lostEdges = /* @__PURE__ */ hatchingUniform('lostEdges', 'float');
 
 /** Transforms a position to view space. */
