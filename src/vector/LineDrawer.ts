@@ -22,7 +22,7 @@ import { type Clip, isClipped } from './paint/PaintLook.js';
 import { PlaceReader } from './paint/PlaceReader.js';
 import { Translucency, TranslucentTone } from './paint/Translucency.js';
 import { dashes, type LinePath } from './paths/LinePath.js';
-import { type LayerName, type PenPart, partOfLayer } from './plot/pens.js';
+import type { LayerName, PenPart } from './plot/pens.js';
 import { readVertices, type Tracing } from './readVertices.js';
 import { canBeEven, evenLines } from './streamlines/evenLines.js';
 import { penChain, penPath } from './streamlines/penPaths.js';
@@ -46,17 +46,16 @@ const LAYER_OF: Readonly<Record<FamilyName, LayerName>> = {
 /** Height above a surface at which rays start, as a share of the size of the scene. */
 const ABOVE = 1e-6;
 
-/** Distance between the starts of dashes that a pen draws behind a see-through surface, in widths of the pen. */
-const FADED_PERIOD = 12;
+/** A pen draws outlines behind see-through surfaces that leave more than this share of them visible. */
+const LEAST_OF_OUTLINES = 0.2;
 
 /** Shortest piece of outline that a pen draws unless it meets others, millimetres. */
 const SHORTEST_ALONE = 2;
 
-/** A path in a layer. left: the share of it that is visible through see-through surfaces. */
-interface LeftPath {
+/** A path in a layer. */
+interface LayeredPath {
   layer: PathLayer;
   path: LinePath;
-  left: number;
 }
 
 /** A hidden line. dash: lengths of dashes and gaps, pixels; null for a line that is faint */
@@ -132,7 +131,7 @@ export class LineDrawer {
   *drawOutlines(): Generator<number, void, void> {
     const { pens, millimetre } = this;
     const { outlines: own } = this.scene;
-    const seen: LeftPath[] = [];
+    const seen: LayeredPath[] = [];
     const hidden: HiddenPath[] = [];
     const outlines = [...own, ...(yield* asPhase(meetingOutlines(own), 0, MEETING))];
     const partAt = (done: number): number => MEETING + ((1 - MEETING) * done) / outlines.length;
@@ -146,40 +145,43 @@ export class LineDrawer {
     // A pen would draw edges of parts that touch twice, and dashes on a visible line.
     const drawn = pens && new DrawnOutlines(SAME_LINE * millimetre);
     const once = (path: LinePath): LinePath[] => (drawn ? drawn.add(path) : [path]);
-    for (const one of kept) for (const path of once(one.path)) this.addPath({ ...one, path });
+    for (const { layer, path } of kept) layer.paths.push(...once(path));
     for (const { layer, path, dash } of hidden)
       for (const piece of once(path)) layer.paths.push(...(dash ? dashes(piece, ...dash) : [piece]));
   }
 
   /** Leaves out short pieces of outlines that meet no others. */
-  private joinedOutlines(seen: readonly LeftPath[], pens: PenWidths): LeftPath[] {
+  private joinedOutlines(seen: readonly LayeredPath[], pens: PenWidths): LayeredPath[] {
     const near = Math.max(...seen.map(({ layer }) => pens('outlines', layer.ink)), 0);
     return dropShortLines(seen, { shortest: SHORTEST_ALONE * this.millimetre, near });
   }
 
-  private *drawSeen({ mesh, look, clip, ink, group }: OutlinedMesh, seen: LeftPath[]): Generator<number, void, void> {
+  private *drawSeen(
+    { mesh, look, clip, ink, group }: OutlinedMesh,
+    seen: LayeredPath[],
+  ): Generator<number, void, void> {
     const { scene, projection, bvh, least, millimetre } = this;
     const pieces = yield* asPhase(outlinePieces(mesh, look), 0, 0.4);
     const pen = this.pens?.('outlines', ink) ?? 0;
     const joining = outlineChains(pieces, mesh, look, projection, scene.illumination, pen);
     const chains = yield* asPhase(joining, 0.4, 0.5);
-    const parts: (SeenOutline & { left: number })[] = [];
+    const parts: SeenOutline[] = [];
     for (const [i, chain] of chains.entries()) {
       const [from, to] = [0.5 + (0.5 * i) / chains.length, 0.5 + (0.5 * (i + 1)) / chains.length];
       this.segments += chain.count - 1;
       yield from;
       yield* asPhase(weighByHierarchy(chain, bvh, projection), from, (from + to) / 2);
       const isSeen = this.uncut(outlineTest(chain, bvh, projection), chain, clip);
-      for (const { faded, left, isLeft } of yield* this.fadedParts(chain, isSeen)) {
+      for (const { faded, isLeft } of yield* this.fadedParts(chain, isSeen)) {
         if (least > 0) endHairlines(faded, least);
         const runs = yield* asPhase(visibleRuns(faded, projection, isLeft), (from + to) / 2, to);
-        parts.push({ chain: faded, left, runs });
+        parts.push({ chain: faded, runs });
       }
     }
     loseEdges(parts, { shortest: SHORTEST_ALONE * millimetre, leastHalf: least / 2 });
-    for (const { chain, left, runs } of parts) {
+    for (const { chain, runs } of parts) {
       const layer = this.layerOf('outlines', ink, group);
-      for (const { path } of this.cutRuns(chain, runs)) seen.push({ layer, path, left });
+      for (const { path } of this.cutRuns(chain, runs)) seen.push({ layer, path });
     }
   }
 
@@ -252,14 +254,7 @@ export class LineDrawer {
     const pen = pens!('lines', surfaces[0].ink);
     for (const surface of surfaces) yield* this.dropUnshaded(surface);
     if (surfaces.every(({ surface }) => surface.parents.length === 0)) return;
-    const drawn = {
-      scene,
-      projection,
-      bvh,
-      isDeep: translucency.isThere,
-      pen: pen / millimetre,
-      scale: 1 / millimetre,
-    };
+    const drawn = { scene, projection, bvh, translucency, pen: pen / millimetre, scale: 1 / millimetre };
     const lines = yield* asPhase(evenLines(surfaces, drawn), 0, 0.9);
     for (const [i, line] of lines.entries()) {
       const { points, world, surface } = line;
@@ -270,8 +265,7 @@ export class LineDrawer {
         continue;
       }
       yield 0.9 + (0.1 * i) / lines.length;
-      for (const { faded, left, isLeft } of yield* this.fadedParts(penChain(line, world, pen), () => true))
-        for (const { path } of yield* this.seenParts(faded, isLeft)) this.addPath({ layer, path, left });
+      for (const { path } of yield* this.seenParts(penChain(line, world, pen), () => true)) layer.paths.push(path);
     }
   }
 
@@ -281,14 +275,15 @@ export class LineDrawer {
       this.segments += line.count - 1;
       const [from, to] = [i, i + 1].map((k) => TRACED + ((1 - TRACED) * k) / lines.length);
       yield from;
-      for (const { faded, left } of yield* this.fadedParts(line, clipped(this.surfaceTest(line), engraved.clip))) {
+      const parts = yield* this.fadedParts(line, clipped(this.surfaceTest(line), engraved.clip));
+      for (const { faded, left, isLeft } of parts) {
         const chain = this.asPressHolds(faded, engraved.engraved.technique);
-        const isSeen = this.isLeftOf(chain, left, clipped(this.surfaceTest(chain), engraved.clip));
+        const isSeen =
+          chain === faded ? isLeft : this.isLeftOf(chain, left, clipped(this.surfaceTest(chain), engraved.clip));
         const adding = this.addChain(
           this.layerOf(LAYER_OF[family], engraved.ink, engraved.group),
           chain,
           isSeen,
-          left,
           engraved,
         );
         yield* asPhase(adding, from, to);
@@ -300,6 +295,7 @@ export class LineDrawer {
   private *fadedParts(chain: Chain, isSeen: SeenTest): Generator<number, FadedPart[], void> {
     const { translucency, projection } = this;
     if (!translucency.isThere) return [{ faded: chain, left: 1, isLeft: isSeen }];
+    if (this.pens) return [{ faded: chain, left: 1, isLeft: this.isLeftOfPen(chain, isSeen) }];
     const shares = new Set<number>();
     yield* visibleRuns(chain, projection, (place) => {
       const seen = isSeen(place);
@@ -319,6 +315,12 @@ export class LineDrawer {
     return halves.map((half, i) => {
       return left * half * this.translucency.deepening(vectorAt(world, 3 * i), triangles[i]);
     });
+  }
+
+  /** A test that passes where a pen draws a line behind see-through surfaces: all outlines, and so many other lines, each whole. */
+  private isLeftOfPen({ triangles, outline, hash }: Chain, isSeen: SeenTest): SeenTest {
+    const least = outline ? LEAST_OF_OUTLINES : hash;
+    return (place) => isSeen(place) && this.translucency.transmittance(place.world, triangles[place.piece]) > least;
   }
 
   /** A test that passes where just this share of a line is visible. */
@@ -397,34 +399,22 @@ export class LineDrawer {
     };
   }
 
-  /** Adds the visible parts of a line on a surface. left: the share of it that is visible. */
+  /** Adds the visible parts of a line on a surface. */
   private *addChain(
     layer: PathLayer,
     chain: Chain,
     isSeen: SeenTest,
-    left: number,
     surface: EngravedSurface,
   ): Generator<number, void, void> {
     const { projection, bvh, pens } = this;
     for (const cut of yield* asPhase(this.seenParts(chain, isSeen), 0, 0.7)) {
-      if (pens) this.addPath({ layer, path: cut.path, left });
+      if (pens) layer.paths.push(cut.path);
       else {
         const finer = refineEnds(cut);
         yield* asPhase(limitToSurface(finer, bvh, projection, !surface.hides), 0.7, 1);
         layer.paths.push(finer.path);
       }
     }
-  }
-
-  /** Adds a path, which a pen draws as dashes if it is only partly visible. */
-  private addPath({ layer: { paths, name, ink }, path, left }: LeftPath): void {
-    const { pens } = this;
-    if (!pens || left === 1) {
-      paths.push(path);
-      return;
-    }
-    const period = FADED_PERIOD * pens(partOfLayer(name), ink);
-    paths.push(...dashes(path, left * period, (1 - left) * period));
   }
 
   private *seenParts(chain: Chain, isSeen: SeenTest): Generator<number, CutRun[], void> {

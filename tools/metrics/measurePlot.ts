@@ -9,6 +9,7 @@ import { parseDrawing } from '../../src/command/parseDrawing.js';
 import { runToEnd } from '../../src/mesh/phases.js';
 import { Bvh } from '../../src/vector/Bvh.js';
 import { placePicture } from '../../src/vector/drawLines.js';
+import { LineDrawer } from '../../src/vector/LineDrawer.js';
 import { EvenSurface } from '../../src/vector/streamlines/EvenSurface.js';
 import { canBeEven, ownersOf } from '../../src/vector/streamlines/evenLines.js';
 import { Sheet } from '../../src/vector/streamlines/Sheet.js';
@@ -112,7 +113,9 @@ function wantedTones(scene: Scene, camera: Camera, options: DrawSVGOptions): Wan
   const owners = ownersOf(drawn, surfaces);
   const sheet = runToEnd(Sheet.of(drawn, owners, projection, { scale, pen: PEN }));
   const bvh = runToEnd(Bvh.build(drawn.corners, drawn.sides, drawn.cutouts));
-  const read = surfaces.map((surface) => new EvenSurface(surface, drawn, bvh, projection, sheet.facing));
+  const { translucency } = new LineDrawer(drawn, null, projection, bvh);
+  const seen = { scene: drawn, projection, bvh, translucency };
+  const read = surfaces.map((surface) => new EvenSurface(surface, seen, sheet.facing));
   const [columns, rows] = [sheet.columns, sheet.rows].map((count) => Math.floor(count / CELL));
   const size = CELL * sheet.size;
   const tones = new Float32Array(columns * rows).fill(Number.NaN);
@@ -122,7 +125,7 @@ function wantedTones(scene: Scene, camera: Camera, options: DrawSVGOptions): Wan
       const triangle = sheet.triangleAt(x, y);
       if (triangle < 0) continue;
       const surface = read[owners[triangle]];
-      tones[row * columns + column] = surface.tonesAt(surface.placeAt(x / scale, y / scale, triangle)).tone;
+      tones[row * columns + column] = surface.tonesAt(surface.placeAt(x / scale, y / scale, triangle), triangle).tone;
     }
   }
   return { tones, columns, rows, size, left, top };

@@ -5,8 +5,17 @@ import { Engraver } from '../Engraver.js';
 import { STRIDE, type SurfacePlace } from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
 import { PlaceReader } from '../paint/PlaceReader.js';
+import type { Translucency } from '../paint/Translucency.js';
 import { ToneReader, type Tones } from '../ToneReader.js';
 import { hasLay, type LayName } from './layTones.js';
+
+/** A scene as a camera sees it. */
+export interface SeenScene {
+  scene: DrawnScene;
+  projection: Projection;
+  bvh: Bvh;
+  translucency: Translucency;
+}
 
 /** A surface whose lines are placed on the sheet. */
 export class EvenSurface {
@@ -18,14 +27,19 @@ export class EvenSurface {
   /** The triangle of the surface for each of the scene, from its first one on. */
   private readonly localOf: Int32Array;
 
+  private readonly scene: DrawnScene;
+  private readonly projection: Projection;
+  private readonly translucency: Translucency;
+
   /** @param facing per triangle of the scene 1 if its front is visible, −1 if its back is */
   constructor(
     readonly drawn: EngravedSurface,
-    private readonly scene: DrawnScene,
-    bvh: Bvh,
-    private readonly projection: Projection,
+    { scene, bvh, projection, translucency }: SeenScene,
     facing: Int8Array,
   ) {
+    this.scene = scene;
+    this.projection = projection;
+    this.translucency = translucency;
     const { surface, look, paint, turned } = drawn;
     const { parents } = surface;
     this.localOf = new Int32Array(parents.length > 0 ? parents[parents.length - 1] - parents[0] + 1 : 0);
@@ -74,8 +88,11 @@ export class EvenSurface {
     return [1 - u - v, u, v];
   }
 
-  tonesAt(place: SurfacePlace): Tones {
-    return this.toneReader.read(place, this.toneReader.hasShadows ? 'traced' : 'none');
+  /** The tones at a place, lighter behind see-through surfaces. triangle: of the scene. */
+  tonesAt(place: SurfacePlace, triangle: number): Tones {
+    const tones = this.toneReader.read(place, this.toneReader.hasShadows ? 'traced' : 'none');
+    const left = this.translucency.transmittance(place.world, triangle);
+    return left === 1 ? tones : { ...tones, tone: left * tones.tone, unshadowed: left * tones.unshadowed };
   }
 
   /** The number of the engraver of the lines where some lights do not arrive. turned: those lights, as bits. */

@@ -144,7 +144,7 @@ export class LineFields {
       const owner = owners[triangle];
       const surface = surfaces[owner];
       const place = surface.placeAt(x / sheet.scale, y / sheet.scale, triangle);
-      const tones = surface.tonesAt(place);
+      const tones = surface.tonesAt(place, triangle);
       const engraver = surface.engraver(surface.engraverIn(tones.turned));
       const at = engraver.at(place);
       const cell = row * columns + column;

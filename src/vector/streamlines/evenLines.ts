@@ -1,8 +1,8 @@
 import { asPhase } from '../../mesh/phases.js';
-import { type Bvh, SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
+import { SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
 import type { DrawnScene, EngravedSurface } from '../DrawnScene.js';
 import type { Projection } from '../Projection.js';
-import { EvenSurface } from './EvenSurface.js';
+import { EvenSurface, type SeenScene } from './EvenSurface.js';
 import { evenOut } from './evenOut.js';
 import { LineFields } from './LineFields.js';
 import { STEP } from './LineGrower.js';
@@ -31,19 +31,14 @@ export interface EvenLine {
   surface: EngravedSurface;
   /** Two numbers a point, pixels of the picture. */
   points: number[];
-  /** Three numbers a point, world space; null where they are not asked for. */
+  /** Three numbers a point, world space; null for a line in one go. */
   world: Float64Array | null;
   /** Null for a line in one go. */
   strokes: LineStrokes | null;
 }
 
 /** The scene, and how it is drawn. */
-interface EvenDrawing {
-  scene: DrawnScene;
-  projection: Projection;
-  bvh: Bvh;
-  /** Whether some surface is seen through, so that it matters where lines lie in space. */
-  isDeep: boolean;
+interface EvenDrawing extends SeenScene {
   /** The width of the pen, millimetres; and millimetres per pixel. */
   pen: number;
   scale: number;
@@ -70,8 +65,9 @@ function seenSidesOf(scene: DrawnScene, surfaces: readonly EngravedSurface[]): U
 /** Places lines of a pen on surfaces, as far apart as the tone asks for. Yields its progress. */
 export function* evenLines(
   surfaces: readonly EngravedSurface[],
-  { scene, projection, bvh, isDeep, pen, scale }: EvenDrawing,
+  { pen, scale, ...seen }: EvenDrawing,
 ): Generator<number, EvenLine[], void> {
+  const { scene, projection, bvh } = seen;
   if (!(Math.min(projection.width, projection.height) * scale >= SMALLEST * pen)) return [];
   const owners = ownersOf(scene, surfaces);
   const sheet = yield* asPhase(
@@ -79,7 +75,7 @@ export function* evenLines(
     0,
     0.1,
   );
-  const read = surfaces.map((drawn) => new EvenSurface(drawn, scene, bvh, projection, sheet.facing));
+  const read = surfaces.map((drawn) => new EvenSurface(drawn, seen, sheet.facing));
   const fields = yield* asPhase(LineFields.of(sheet, read, owners), 0.1, 0.4);
   const ends = new LineEnds(sheet, bvh, projection);
   const lines: EvenLine[] = [];
@@ -96,7 +92,7 @@ export function* evenLines(
       const layer = layerOf(lay, read[owner].engraver(fields.engraverAt(x, y)).at(place).cut);
       const strokes = strokesAlong(points, line, { fields, set, surface: read[owner] });
       const found = wholeLine(points, line, strokes, ends, STEP * pen);
-      const world = isDeep || strokes ? worldOf(found, read[owner], sheet) : null;
+      const world = strokes ? worldOf(found, read[owner], sheet) : null;
       for (const numbers of [found, strokes?.shifts ?? []])
         for (let o = 0; o < numbers.length; o++) numbers[o] /= scale;
       keepOnPicture(found, projection);

@@ -1,9 +1,10 @@
-import { DataTexture, Float32BufferAttribute, Mesh, MeshBasicMaterial, PlaneGeometry } from 'three';
+import { DataTexture, Float32BufferAttribute, Mesh, MeshBasicMaterial, PlaneGeometry, SphereGeometry } from 'three';
 import { describe, expect, test } from 'vitest';
 import type { HatchingMaterialParameters } from '../../../../src/material/checkValues.js';
+import type { DrawSVGOptions } from '../../../../src/vector/svg/DrawSVGOptions.js';
 import { drawSVG } from '../../../../src/vector/svg/drawSVG.js';
-import { cameraAt, planeOfTone, sceneOf } from '../hatchedScene.js';
-import { coverageOf, pathsOf } from '../paths.js';
+import { cameraAt, hatchedMesh, planeOfTone, sceneOf } from '../hatchedScene.js';
+import { coverageOf, pathsOf, ringsOf } from '../paths.js';
 
 const SIDE = 40;
 /** 40 mm show 2.1 units: the middle third is behind a nearer pane of 0.8 units, the rest beside it. */
@@ -18,6 +19,24 @@ const draw = async (...meshes: Mesh[]) => {
   const paths = pathsOf(svg);
   return { behind: coverageOf(paths, BEHIND, 200), beside: coverageOf(paths, BESIDE, 200), paths };
 };
+
+/** The length of the lines of a pen in the middle of what a pane covers, millimetres. */
+function inkIn(svg: string): number {
+  const [from, to, step] = [14, 26, 0.02];
+  let length = 0;
+  for (const points of pathsOf(svg).flatMap(ringsOf)) {
+    for (let o = 2; o < points.length; o += 2) {
+      const [x, y] = [points[o - 2], points[o - 1]];
+      const [dx, dy] = [points[o] - x, points[o + 1] - y];
+      const steps = Math.ceil(Math.hypot(dx, dy) / step);
+      for (let k = 0; k < steps; k++) {
+        const isInside = [x + (dx * k) / steps, y + (dy * k) / steps].every((at) => at > from && at < to);
+        if (isInside) length += Math.hypot(dx, dy) / steps;
+      }
+    }
+  }
+  return length;
+}
 
 /** A pane in front of the others that prints nothing itself. */
 function pane(material: ConstructorParameters<typeof MeshBasicMaterial>[0]): Mesh {
@@ -89,16 +108,33 @@ describe('see-through surfaces', () => {
     expect(Math.abs(coverageOf(paths, [2, 2, 36, 36], 300) - 0.6)).toBeLessThan(0.025);
   });
 
-  test('a pen draws dashes behind them', async () => {
-    const drawnBehind = async (...panes: Mesh[]) =>
-      (
-        await drawSVG(sceneOf(await planeOfTone(0.4), ...panes), cameraAt(0, 0, 1, true), {
-          ...{ kind: 'pen', sheet: [SIDE, SIDE], margin: 0 },
-        })
-      ).drawn;
-    const all = await drawnBehind();
-    const hidden = all - (await drawnBehind(pane({})));
-    const faded = all - (await drawnBehind(pane({ transparent: true, opacity: 0.6 })));
-    expect(Math.abs(faded / hidden - 0.6)).toBeLessThan(0.1);
+  const byPen = async (options: DrawSVGOptions, ...panes: Mesh[]) =>
+    drawSVG(sceneOf(await planeOfTone(0.4), ...panes), cameraAt(0, 0, 1, true), {
+      ...{ kind: 'pen', sheet: [SIDE, SIDE], margin: 0, shortest: 0, ...options },
+    });
+
+  test.each(['even', 'canvas'] as const)('a pen draws fewer lines behind them, each whole: lines %s', async (lines) => {
+    const [all, opaque, clear] = await Promise.all(
+      [[], [pane({})], [pane({ transparent: true, opacity: 0.6 })]].map((panes) => byPen({ lines }, ...panes)),
+    );
+    expect(inkIn(opaque.svg)).toBe(0);
+    expect(Math.abs(inkIn(clear.svg) / inkIn(all.svg) - 0.4)).toBeLessThan(0.1);
+    // Each line that goes on behind the pane is one, and each that does not is two: dashes would be some ten more a line.
+    expect(clear.paths).toBeLessThanOrEqual(opaque.paths);
+  });
+
+  test('a pen draws outlines behind them whole, unless next to nothing is left of them', async () => {
+    const drawnBehind = async (opacity: number) => {
+      const ball = await hatchedMesh(new SphereGeometry(0.3, 48, 24), { material: { ink: 'white' }, outlines: {} });
+      const { layers } = await drawSVG(sceneOf(ball, pane({ transparent: true, opacity })), cameraAt(0, 0, 1, true), {
+        ...{ kind: 'pen', sheet: [SIDE, SIDE], margin: 0, shadows: false },
+      });
+      const outlines = layers.find(({ name }) => name === 'outlines');
+      return outlines ? [outlines.paths, Math.round(outlines.drawn)] : [0, 0];
+    };
+    const whole = [1, Math.round((2 * Math.PI * 0.3 * SIDE) / 2.1)];
+    expect(await drawnBehind(0.3)).toEqual(whole);
+    expect(await drawnBehind(0.7)).toEqual(whole);
+    expect(await drawnBehind(0.9)).toEqual([0, 0]);
   });
 });
