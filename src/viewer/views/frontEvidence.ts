@@ -35,19 +35,21 @@ interface Lengthwise {
 
 /**
  * Weights of what tells the front of a thing from its back, by the sign that most things agree on: faces, animals, figures, vehicles and
- * tools alike. They were fitted to 105 models whose fronts are known.
+ * tools alike. They were fitted to 105 models whose fronts are known, and to 803 models for furnishing houses.
  */
 const WEIGHTS = {
   /** Per unit of the logarithm of front ÷ back. */
   relief: 1.5,
   inner: 0.5,
+  /** Of furniture and vehicles, whose backs are often left open, both tell less. */
+  ofThings: 0.4,
   /** Against the share of backs. */
   backs: 2,
   /** A thin part points backwards. */
   skew: 0.6,
   /** Slopes that face upwards, such as windscreens, seats and keyboards, are in front, but less so of animals. */
   slopes: 2.8,
-  ofAnimals: 0.4,
+  ofAnimals: 0.8,
   /** Of furniture and vehicles: bonnets, seats and steps are low and in front; backrests, cabs and cisterns are high and behind. */
   rise: 2.3,
   high: 0.6,
@@ -84,9 +86,10 @@ export function frontEvidence(clues: FrontClues, views: readonly MeasuredView[],
   const ofThing = slopes - WEIGHTS.rise * clamp(rise, MOST.rise) - WEIGHTS.high * clamp(top, MOST.top);
   const headOrFoot = length > LONG ? WEIGHTS.head * top : WEIGHTS.foot * clamp(foot, MOST.foot);
   const ofAnimal = WEIGHTS.ofAnimals * slopes + headOrFoot;
+  const detail =
+    WEIGHTS.relief * clamp(ratio('relief'), MOST.relief) + WEIGHTS.inner * clamp(ratio('inner'), MOST.relief);
   return (
-    WEIGHTS.relief * clamp(ratio('relief'), MOST.relief) +
-    WEIGHTS.inner * clamp(ratio('inner'), MOST.relief) -
+    (1 - square + WEIGHTS.ofThings * square) * detail -
     WEIGHTS.backs * more('backs') -
     WEIGHTS.skew * Math.min(1, length) * skew +
     square * ofThing +

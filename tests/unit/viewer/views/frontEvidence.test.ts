@@ -41,6 +41,13 @@ describe('the front of a thing is', () => {
     expect(ofAnimal).toBeLessThan(usualAnimal - 0.3);
   });
 
+  test('the side of more relief, and of furniture less so', () => {
+    const seen = views(0, 0).map((view, i) => ({ ...view, measures: { ...view.measures, relief: i === 0 ? 2 : 1 } }));
+    const [ofThing, ofAnimal] = [1, 0].map((squareness) => lead({ squareness }, seen) - lead({ squareness }));
+    expect(ofThing).toBeGreaterThan(0.5);
+    expect(ofAnimal).toBeGreaterThan(2 * ofThing);
+  });
+
   test('the side of parts that are named for it, by how far they lie there', () => {
     expect(lead({ landmarks: [{ x: 0, z: 1, sign: 1 }] })).toBeGreaterThan(usual + 1);
     expect(lead({ landmarks: [{ x: 0, z: 1, sign: -1 }] })).toBeLessThan(usual - 1);
