@@ -22,8 +22,8 @@ interface MeetingPair {
   readonly relative: Matrix4;
   /** Packed points of segments; null if it was too much work. */
   readonly points: Uint32Array | null;
-  /** Whether they were drawn in the last frame. */
-  isDrawn: boolean;
+  /** The surface as firm as which they were drawn in the last frame; null if they were not drawn. */
+  surface: Material | null;
 }
 
 /** Makes a part of outlines. It is given, since pages that load outlines without these lines would fetch what the two share as one more file. */
@@ -35,16 +35,23 @@ const relative = /* @__PURE__ */ new Matrix4();
 export const relativeTo = (other: Mesh, mesh: Mesh, into: Matrix4): Matrix4 =>
   into.copy(mesh.matrixWorld).invert().multiply(other.matrixWorld);
 
+/** The share of ink that three.js' blending leaves of the surface of a mesh. */
+function firmnessOf({ material }: Mesh): number {
+  const { transparent, opacity } = Array.isArray(material) ? material[0] : material;
+  return transparent ? opacity : 1;
+}
+
 /** Whether a mesh and all above it are visible. */
 function isShown(mesh: Mesh): boolean {
   for (let object: Mesh['parent'] = mesh; object !== null; object = object.parent) if (!object.visible) return false;
   return mesh.matrixWorld.determinant() !== 0;
 }
 
-/** The lines along which a mesh meets others, as a part of its outlines. */
+/** The lines along which a mesh meets others, as parts of its outlines. */
 export class MeetingLines {
   private pairs: readonly MeetingPair[] = [];
-  private part: OutlinePart | null = null;
+  /** The lines, by the surfaces that they are as firm as. */
+  private readonly found = new Map<Material, OutlinePart>();
   private parts: readonly OutlinePart[] = [];
   private own: readonly OutlinePart[] = [];
 
@@ -65,48 +72,42 @@ export class MeetingLines {
     points: Uint32Array | null,
   ): void {
     const others = this.pairs.filter((pair) => pair.other !== other);
-    this.pairs = [...others, { other, data, otherData, relative: toFirst, points, isDrawn: false }];
-    this.dropPart();
+    this.pairs = [...others, { other, data, otherData, relative: toFirst, points, surface: null }];
+    this.dropParts();
   }
 
-  /** Forgets lines with outlines that are gone. */
-  keepOnly(others: ReadonlySet<IntersectingOutlines>): void {
-    const kept = this.pairs.filter(({ other }) => others.has(other));
+  /** Forgets lines with outlines that are gone, or hold them now. */
+  keep(isKept: (other: IntersectingOutlines) => boolean): void {
+    const kept = this.pairs.filter(({ other }) => isKept(other));
     if (kept.length === this.pairs.length) return;
     this.pairs = kept;
-    this.dropPart();
+    this.dropParts();
   }
 
   /** The parts of outlines, and the lines that are valid now. Allocates nothing while those are the same as in the last frame. */
   add(own: readonly OutlinePart[], newPart: NewPart): readonly OutlinePart[] {
-    let isSame = this.part !== null;
+    if (own.length === 0) return own;
+    let isSame = own === this.own;
     let isAny = false;
     for (let i = 0; i < this.pairs.length; i++) {
       const pair = this.pairs[i];
-      const isDrawn =
-        pair.points !== null &&
-        pair.points.length > 0 &&
-        wantsIntersections(pair.other) &&
-        this.isCurrent(pair) &&
-        isShown(pair.other.mesh!);
-      if (isDrawn !== pair.isDrawn) isSame = false;
-      pair.isDrawn = isDrawn;
-      isAny ||= isDrawn;
+      const surface = this.surfaceFor(pair, own[0].surface);
+      if (surface !== pair.surface) isSame = false;
+      pair.surface = surface;
+      isAny ||= surface !== null;
     }
-    if (!isAny || own.length === 0) return own;
-    if (!isSame) this.makePart(own, newPart);
-    const part = this.part!;
-    part.surface = own[0].surface;
-    if (own !== this.own || !isSame) {
+    if (!isAny) return own;
+    if (!isSame || this.found.size === 0) {
       this.own = own;
-      this.parts = [...own, part];
+      this.makeParts(newPart);
+      this.parts = [...own, ...this.found.values()];
     }
     return this.parts;
   }
 
   dispose(): void {
     this.pairs = [];
-    this.dropPart();
+    this.dropParts();
   }
 
   private isCurrent({ other, data, otherData, relative: computed }: MeetingPair): boolean {
@@ -116,15 +117,28 @@ export class MeetingLines {
     return other === this.outlines || areEqual(relativeTo(other.mesh, mesh, relative), computed);
   }
 
-  private makePart(own: readonly OutlinePart[], newPart: NewPart): void {
-    this.dropPart();
-    const drawn = this.pairs.filter(({ isDrawn }) => isDrawn);
-    this.part = newPart(packedData(drawn), own[0].surface);
+  /** The surface as firm as which the lines of a pair are drawn, the firmer of both; null if they are not drawn. */
+  private surfaceFor(pair: MeetingPair, ownSurface: Material): Material | null {
+    const { other, points } = pair;
+    if (points === null || points.length === 0 || !wantsIntersections(other)) return null;
+    if (!this.isCurrent(pair) || !isShown(other.mesh!)) return null;
+    const { material } = other.mesh!;
+    if (firmnessOf(other.mesh!) <= firmnessOf(this.outlines.mesh!)) return ownSurface;
+    return Array.isArray(material) ? material[0] : material;
   }
 
-  private dropPart(): void {
-    this.part?.data.dispose();
-    this.part = null;
+  private makeParts(newPart: NewPart): void {
+    this.dropParts();
+    for (const { surface } of this.pairs) {
+      if (!surface || this.found.has(surface)) continue;
+      const alike = this.pairs.filter((pair) => pair.surface === surface);
+      this.found.set(surface, newPart(packedData(alike), surface));
+    }
+  }
+
+  private dropParts(): void {
+    for (const { data } of this.found.values()) data.dispose();
+    this.found.clear();
   }
 }
 

@@ -91,9 +91,12 @@ class SceneIntersections {
   }
 
   private async findBetween(searched: readonly Searched[], options: TaskOptions): Promise<void> {
-    const pairs = pairsOf(searched.map(({ mesh }) => boxOf(mesh))).filter(
-      ([first, second]) => !searched[first].lines.knows(searched[second].outlines),
-    );
+    // What is seen through holds the lines: it is drawn last, and would lie over them.
+    const pairs = pairsOf(searched.map(({ mesh }) => boxOf(mesh)))
+      .map(([one, other]) =>
+        isSeenThrough(searched[other]) && !isSeenThrough(searched[one]) ? [other, one] : [one, other],
+      )
+      .filter(([first, second]) => !searched[first].lines.knows(searched[second].outlines));
     if (pairs.length === 0) return;
     const used = [...new Set(pairs.flat())];
     const numbers = new Map(used.map((of, number) => [of, number]));
@@ -112,6 +115,7 @@ class SceneIntersections {
       const { outlines, data: otherData } = searched[second];
       const ofPair = points.has(i) ? points.get(i)! : new Uint32Array(0);
       lines.set(outlines, data, otherData, relatives[i], ofPair);
+      if (first !== second) searched[second].lines.keep((other) => other !== searched[first].outlines);
     }
     if (found.length > 0) this.root.dispatchEvent({ type: 'intersections' } as never);
   }
@@ -133,7 +137,7 @@ class SceneIntersections {
       }
     }
     this.parts = [...this.members.values()].map(({ part }) => part);
-    for (const { lines } of this.members.values()) lines.keepOnly(kept);
+    for (const { lines } of this.members.values()) lines.keep((other) => kept.has(other));
     return searched;
   }
 }
@@ -171,6 +175,9 @@ function isRigid(mesh: Mesh): boolean {
   if ('isBatchedMesh' in mesh || isLoose(mesh)) return false;
   return matrixWorld.determinant() !== 0 && !(Array.isArray(material) ? material : [material]).every(hasHoles);
 }
+
+const isSeenThrough = ({ mesh: { material } }: Searched): boolean =>
+  (Array.isArray(material) ? material[0] : material).transparent;
 
 function boxOf({ geometry, matrixWorld }: Mesh): Float64Array | null {
   if (!geometry.boundingBox) geometry.computeBoundingBox();

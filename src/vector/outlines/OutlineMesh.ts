@@ -55,6 +55,8 @@ export interface FeatureEdge {
 export interface OutlineLook {
   /** Pixels. */
   width: number;
+  /** The share of their ink that blending leaves, which the width takes account of. */
+  opacity: number;
   contours: number;
   innerContours: number;
   borders: number;

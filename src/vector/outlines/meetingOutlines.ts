@@ -4,7 +4,7 @@ import { findIntersections } from '../../mesh/intersections/findIntersections.js
 import { LINE_FLOATS } from '../../mesh/intersections/joinSegments.js';
 import type { IntersectingMesh } from '../../mesh/intersections/MeetingMesh.js';
 import type { OutlinedMesh } from '../DrawnScene.js';
-import type { FeatureEdge, OutlineMesh } from './OutlineMesh.js';
+import type { FeatureEdge, OutlineLook, OutlineMesh } from './OutlineMesh.js';
 
 /** Numbers of a segment at which the position and the normal of each point begin. */
 const PLACES = [0, 3, 0, 3];
@@ -12,19 +12,24 @@ const NORMALS = [6, 9, 12, 15];
 
 /**
  * The lines along which outlined meshes cut each other, where their outlines ask for them, as edges of meshes without triangles. Those of a
- * pair have the look of the first. Yields its progress.
+ * pair lie on the surface that is less opaque, which hides nothing of itself, and look like outlines of the other. Yields its progress.
  */
 export function* meetingOutlines(outlines: readonly OutlinedMesh[]): Generator<number, OutlinedMesh[], void> {
   const asked = outlines.filter(({ look }) => look.intersections > 0 && !look.isCutOut);
   if (asked.length === 0) return [];
   const found = yield* findIntersections({ meshes: asked.map(({ mesh }) => intersecting(mesh)) });
-  const lines = new Map<OutlinedMesh, Float64Array[]>();
-  for (const { first, lines: ofPair } of found) {
+  const lines = new Map<OutlinedMesh, Map<OutlineLook, Float64Array[]>>();
+  for (const { first, second, lines: ofPair } of found) {
     if (!ofPair) continue;
-    const holder = asked[first];
-    lines.set(holder, [...(lines.get(holder) ?? []), ofPair]);
+    const isSecondClear = asked[second].look.opacity < asked[first].look.opacity;
+    const [holder, { look }] = isSecondClear ? [asked[second], asked[first]] : [asked[first], asked[second]];
+    const ofHolder = lines.get(holder) ?? new Map<OutlineLook, Float64Array[]>();
+    lines.set(holder, ofHolder);
+    ofHolder.set(look, [...(ofHolder.get(look) ?? []), ofPair]);
   }
-  return [...lines].map(([holder, parts]) => ({ ...holder, mesh: meetingMesh(holder.mesh, parts) }));
+  return [...lines].flatMap(([holder, looks]) =>
+    [...looks].map(([look, parts]) => ({ ...holder, look, mesh: meetingMesh(holder.mesh, parts) })),
+  );
 }
 
 function intersecting({ positions, normals, triangles, edges, toWorld }: OutlineMesh): IntersectingMesh {

@@ -55,8 +55,9 @@ export function outlineLookOf(
   const { contours, innerContours, borders, creases, materialBorders, intersections, suggestiveContours, lit, shade } =
     material.weights;
   const { outlineWidth, taper, lostEdges, accents, overshoot, wobble, hidden } = material;
+  const opacity = Math.min(opacityOf(material), opacityOf(surface, geometry));
   return {
-    width: outlineWidth * Math.min(opacityOf(material), opacityOf(surface, geometry)),
+    ...{ width: outlineWidth * opacity, opacity },
     materialBorders: hasMaterials ? materialBorders : 0,
     intersections: material.intersections ? intersections : 0,
     shadeWeights: [lit, shade],

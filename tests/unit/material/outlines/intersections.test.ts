@@ -1,4 +1,14 @@
-import { BoxGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Scene, SphereGeometry } from 'three';
+import {
+  BoxGeometry,
+  Group,
+  InstancedMesh,
+  type Material,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  Scene,
+  SphereGeometry,
+} from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { expect, test } from 'vitest';
 import { outlineDataOf } from '../../../../src/material/geometry/OutlineData.js';
@@ -79,4 +89,34 @@ test('the scene is told when there are new ones', async () => {
   segmentsOf(other);
   await told;
   expect(segmentsOf(one)).toBeGreaterThan(30);
+});
+
+test('what is seen through holds them, as firm as the lines of the other, and one mesh alone after a change', async () => {
+  const [solid, glass] = [ball(-0.3), ball(0.3)];
+  const clear = { transparent: true, opacity: 0.3 };
+  Object.assign(glass.material, clear);
+  const { scene, outlines } = await hatched(solid, glass);
+  const [ofSolid, ofGlass] = outlines;
+  const surfaceOf = ({ mesh }: HatchingOutlines): Material => mesh!.material as Material;
+  const surfaces = (of: HatchingOutlines): Material[] => {
+    const own = new OutlineParts().of(of.mesh!, outlineDataOf(of.mesh!.geometry)!);
+    return drawnParts(of, own, unlistedPart)
+      .slice(own.length)
+      .map(({ surface }) => surface);
+  };
+  expect(segmentsOf(ofSolid)).toBe(0);
+  expect(segmentsOf(ofGlass)).toBeGreaterThan(30);
+  expect(surfaces(ofGlass)).toEqual([surfaceOf(ofSolid)]);
+  surfaceOf(ofGlass).opacity = 1;
+  expect(surfaces(ofGlass)).toEqual([surfaceOf(ofGlass)]);
+  Object.assign(surfaceOf(ofSolid), clear);
+  Object.assign(surfaceOf(ofGlass), { transparent: false });
+  const told = new Promise((resolve) => scene.addEventListener('intersections' as 'added', resolve));
+  solid.position.x = 0.1;
+  solid.updateMatrixWorld(true);
+  for (const each of outlines) segmentsOf(each);
+  await told;
+  expect(segmentsOf(ofSolid)).toBeGreaterThan(30);
+  expect(segmentsOf(ofGlass)).toBe(0);
+  expect(surfaces(ofSolid)).toEqual([surfaceOf(ofGlass)]);
 });

@@ -54,7 +54,8 @@ async function draw(...meshes: Mesh[]) {
   const { seen, hidden } = circlePlaces(camera);
   const inkIn = (layer: string, places: typeof seen) =>
     places.filter(({ at }) => inkAt(layer, at) > 0.3).length / places.length;
-  return { seen: inkIn('outlines', seen), hidden: inkIn('outlines', hidden), behind: inkIn('hidden', hidden) };
+  const meanInk = seen.reduce((sum, { at }) => sum + inkAt('outlines', at), 0) / seen.length;
+  return { seen: inkIn('outlines', seen), hidden: inkIn('outlines', hidden), behind: inkIn('hidden', hidden), meanInk };
 }
 
 describe('two balls', () => {
@@ -64,6 +65,19 @@ describe('two balls', () => {
     expect(drawn.behind).toBe(0);
     // The contour of a ball passes before one or two of the places.
     expect(drawn.hidden).toBeLessThan(0.1);
+  });
+
+  test('of which one is of glass have a line as firm as two solid ones, whichever comes first', async () => {
+    const glass = { ...BLANK, transparent: true, opacity: 0.25 };
+    const of = (x: number, material = {}) =>
+      hatchedMesh(ball(x), { outlines: { ...OUTLINES, intersections: true }, material: { ...BLANK, ...material } });
+    const solid = (await draw(await of(-AWAY), await of(AWAY))).meanInk;
+    const before = (await draw(await of(-AWAY, glass), await of(AWAY))).meanInk;
+    const after = (await draw(await of(-AWAY), await of(AWAY, glass))).meanInk;
+    const both = (await draw(await of(-AWAY, glass), await of(AWAY, glass))).meanInk;
+    expect(solid).toBeGreaterThan(0.5);
+    for (const one of [before, after]) expect(Math.abs(one / solid - 1)).toBeLessThan(0.1);
+    expect(both).toBeLessThan(0.5 * solid);
   });
 
   test('have none unless both ask for it, and none of weight 0', async () => {
