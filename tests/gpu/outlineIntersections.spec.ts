@@ -147,3 +147,25 @@ test('panels that nearly touch have no hairs while they move', async ({ page }) 
   expect(inks.steep).toBeGreaterThan(0.5);
   expect(inks.flat).toBeLessThan(0.05);
 });
+
+test('a ball that moves into one of glass has a line there, as firm as between solid ones', async ({ page }) => {
+  const share = await page.evaluate<Record<string, number>>(`${MOVING}.then(async (moving) => {
+    const { outlinedMesh, paperScene, look, ball, share, untilDrawn } = moving;
+    const [left, right] = [await outlinedMesh(ball(), look), await outlinedMesh(ball(), look)];
+    Object.assign(right.material, { transparent: true, opacity: 0.2, depthWrite: false });
+    left.position.x = -0.3;
+    right.position.x = 0.3;
+    const scene = paperScene(left, right);
+    await untilDrawn(() => share(scene, -0.3, 0.3));
+    const at = (i) => 0.2 - 0.001 * i;
+    const moved = await untilDrawn((i) => {
+      right.position.x = at(i);
+      return share(scene, -0.3, at(i));
+    });
+    right.position.x = 0.3;
+    right.position.y = 0.9;
+    return { moved, gone: share(scene, -0.3, 0.3) };
+  })`);
+  expect(share.moved).toBeGreaterThan(0.95);
+  expect(share.gone).toBeLessThan(0.1);
+});

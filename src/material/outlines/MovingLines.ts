@@ -1,5 +1,6 @@
 import {
   type Camera,
+  DoubleSide,
   FrontSide,
   GLSL3,
   type Material,
@@ -13,6 +14,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
+import clearVertex from '../../../shaders/meetings/clear.vert?raw';
 import lineFragment from '../../../shaders/meetings/meeting.frag?raw';
 import lineVertex from '../../../shaders/meetings/meeting.vert?raw';
 import partFragment from '../../../shaders/meetings/part.frag?raw';
@@ -35,6 +37,12 @@ export const partShaders = (): Shaders => ({ vertexShader: partVertex, fragmentS
 /** The shaders of lines between parts, with the functions of outlines. */
 export const lineShaders = ({ vertexShader, fragmentShader }: Shaders): Shaders => ({
   vertexShader: functionsOf(vertexShader) + lineVertex,
+  fragmentShader: functionsOf(fragmentShader) + lineFragment,
+});
+
+/** The shaders of lines on parts that are seen through. */
+export const clearShaders = ({ vertexShader, fragmentShader }: Shaders): Shaders => ({
+  vertexShader: functionsOf(vertexShader) + clearVertex,
   fragmentShader: functionsOf(fragmentShader) + lineFragment,
 });
 
@@ -68,12 +76,20 @@ class LineMaterial extends ShaderMaterial {
   constructor(
     private readonly source: ShaderMaterial,
     map: WebGLRenderTarget,
+    isClear = false,
   ) {
     super({
       name: 'HatchingMovingLines',
-      uniforms: { ...source.uniforms, partMap: { value: map.texture }, partLook: { value: 0 } },
-      defines: 'PAPER_GRAIN' in source.defines ? { PAPER_GRAIN: '' } : {},
-      ...lineShaders(source),
+      uniforms: {
+        ...source.uniforms,
+        ...{ partMap: { value: map.texture }, partLook: { value: 0 }, partNumber: { value: 0 } },
+        // The outlines of what is seen through may be paler.
+        opacity: { value: 1 },
+      },
+      defines: { ...('PAPER_GRAIN' in source.defines && { PAPER_GRAIN: '' }), ...(isClear && { CLEAR: '' }) },
+      ...(isClear ? clearShaders(source) : lineShaders(source)),
+      side: DoubleSide,
+      clipping: isClear,
       lights: true,
       fog: source.fog,
       transparent: true,
@@ -84,9 +100,16 @@ class LineMaterial extends ShaderMaterial {
     this.sourceVersion = source.version;
   }
 
-  /** Whether the outline material has been compiled anew since. */
-  isStale(): boolean {
-    return this.source.version !== this.sourceVersion;
+  /** Whether it draws as another outline material does, or its own has been compiled anew since. */
+  isStaleFor(source: ShaderMaterial): boolean {
+    return this.source !== source || source.version !== this.sourceVersion;
+  }
+
+  /** Sets what it draws. @param name of a uniform with a number */
+  take(name: 'partLook' | 'partNumber', number: number): void {
+    const { uniforms, source } = this;
+    if (uniforms[name].value !== number) uniforms[name].value = number;
+    if (uniforms.opacity.value !== source.opacity) uniforms.opacity.value = source.opacity;
   }
 }
 
@@ -95,6 +118,8 @@ class MovingLines implements LineDrawer {
   private map: WebGLRenderTarget | null = null;
   private readonly parts = new Map<IntersectingOutlines, PartMaterial>();
   private readonly lines = new Map<Material, LineMaterial>();
+  /** Of the parts that are seen through. */
+  private readonly clear = new Map<IntersectingOutlines, LineMaterial>();
 
   constructor(private readonly renderer: WebGLRenderer) {}
 
@@ -112,25 +137,40 @@ class MovingLines implements LineDrawer {
     const gl = renderer.getContext() as WebGL2RenderingContext;
     gl.clearBufferuiv(gl.COLOR, 0, NOTHING);
     renderer.clear(false, true, false);
-    for (let i = 0; i < parts.length; i++) if (parts[i].look > 0) this.drawPart(parts[i], scene, camera);
+    for (let i = 0; i < parts.length; i++) {
+      if (parts[i].look > 0 && !parts[i].isClear) this.drawPart(parts[i], scene, camera);
+    }
     renderer.setRenderTarget(target, face, level);
     // Each camera of an ArrayCamera draws into its own part of the render target.
     if (own) renderer.state.viewport(own);
   }
 
   drawLines(outlines: DrawnOutlines, look: number, scene: Scene, camera: Camera): void {
-    const material = this.lineMaterial(outlines.material as ShaderMaterial);
-    material.uniforms.partLook.value = look;
+    const source = outlines.material as ShaderMaterial;
+    const material = this.lineMaterial(this.lines, source, source, false);
+    material.take('partLook', look);
     outlines.geometry.setDrawRange(0, SCREEN_VERTICES);
     this.renderer.renderBufferDirect(camera, scene, outlines.geometry, material, outlines, null!);
+  }
+
+  drawClear({ number }: NumberedPart, outlines: DrawnOutlines, scene: Scene, camera: Camera): void {
+    const mesh = outlines.mesh!;
+    const material = this.lineMaterial(this.clear, outlines, outlines.material as ShaderMaterial, true);
+    const surface = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
+    material.take('partNumber', number);
+    material.clippingPlanes = surface.clippingPlanes;
+    material.clipIntersection = surface.clipIntersection;
+    mesh.modelViewMatrix.multiplyMatrices(camera.matrixWorldInverse, mesh.matrixWorld);
+    this.renderer.renderBufferDirect(camera, scene, mesh.geometry, material, mesh, null!);
   }
 
   readonly free = (): void => {
     this.map?.dispose();
     this.map = null;
-    for (const material of [...this.parts.values(), ...this.lines.values()]) material.dispose();
-    this.parts.clear();
-    this.lines.clear();
+    for (const made of [this.parts, this.lines, this.clear]) {
+      for (const material of made.values()) material.dispose();
+      made.clear();
+    }
     this.renderer.domElement.removeEventListener('webglcontextlost', this.free);
   };
 
@@ -169,15 +209,20 @@ class MovingLines implements LineDrawer {
     return material;
   }
 
-  private lineMaterial(source: ShaderMaterial): LineMaterial {
-    let material = this.lines.get(source);
-    if (material?.isStale()) {
+  private lineMaterial<Key>(
+    made: Map<Key, LineMaterial>,
+    key: Key,
+    source: ShaderMaterial,
+    isClear: boolean,
+  ): LineMaterial {
+    let material = made.get(key);
+    if (material?.isStaleFor(source)) {
       material.dispose();
       material = undefined;
     }
     if (!material) {
-      material = new LineMaterial(source, this.map!);
-      this.lines.set(source, material);
+      material = new LineMaterial(source, this.map!, isClear);
+      made.set(key, material);
     }
     return material;
   }

@@ -33,6 +33,8 @@ export class NumberedPart {
   number = 0;
   /** The number of its outline material in a frame, from 1; 0 if it is not in view. */
   look = 0;
+  /** Whether what lies behind its surface is seen through it. */
+  isClear = false;
   /** From the place at the last search to the place now. */
   readonly movement = new Matrix4();
   private readonly searchedAt = new Matrix4();
@@ -78,6 +80,7 @@ export function numberParts(parts: readonly NumberedPart[], root: Object3D): num
     const { mesh } = part.outlines;
     part.number = 0;
     if (!mesh || !wantsIntersections(part.outlines) || !canMeet(mesh) || !isShownBelow(root, mesh)) continue;
+    part.isClear = isClear(mesh);
     const isKnown = part.isKnown(mesh);
     if (isKnown && (part.rests(mesh) || areEqual(part.movement, still))) {
       part.number = 1;
@@ -100,17 +103,24 @@ function leaderOf({ movement }: NumberedPart): NumberedPart | null {
   return null;
 }
 
-/** Whether a mesh has a solid surface that hides what lies behind it, and is no picture cut out of cards. */
-function canMeet({ geometry, material }: Mesh): boolean {
-  const data = outlineDataOf(geometry);
+/** Whether a mesh has a surface that is seen, and is no picture cut out of cards. */
+function canMeet(mesh: Mesh): boolean {
+  const data = outlineDataOf(mesh.geometry);
   if (!data || data.triangleCount > MOST_TRIANGLES) return false;
-  if (!Array.isArray(material)) return isSolid(material);
-  for (let i = 0; i < material.length; i++) if (!isSolid(material[i])) return false;
+  const { material } = mesh;
+  if (!Array.isArray(material)) return isWhole(material);
+  for (let i = 0; i < material.length; i++) if (!isWhole(material[i])) return false;
   return material.length > 0;
 }
 
-const isSolid = (material: Material): boolean =>
-  material.visible && material.depthWrite && !material.transparent && !hasHoles(material);
+const isWhole = (material: Material): boolean =>
+  material.visible && (material.depthWrite || material.transparent) && !hasHoles(material);
+
+function isClear({ material }: Mesh): boolean {
+  if (!Array.isArray(material)) return material.transparent;
+  for (let i = 0; i < material.length; i++) if (material[i].transparent) return true;
+  return false;
+}
 
 /** Whether a mesh and all above it are visible, and it lies below a root. */
 function isShownBelow(root: Object3D, mesh: Mesh): boolean {

@@ -51,6 +51,10 @@ class SceneIntersections {
     return numberParts(this.parts, this.root) > 1;
   }
 
+  partOf(outlines: IntersectingOutlines): NumberedPart | undefined {
+    return this.members.get(outlines)?.part;
+  }
+
   /** Notes where a mesh is. Allocates nothing while it rests. */
   note(outlines: IntersectingOutlines): Member {
     const { matrixWorld, geometry } = outlines.mesh!;
@@ -233,7 +237,7 @@ export function drawMoving(
   const intersections = sceneOf(topOf(outlines.mesh!));
   const { parts, root } = intersections;
   const code = codes.get(fetch);
-  if (code) screenOf(renderer, code).draw(outlines, parts, root, scene, camera);
+  if (code) screenOf(renderer, code).draw(outlines, intersections.partOf(outlines), parts, root, scene, camera);
   else if (code === undefined && intersections.beginsToMove(renderer, camera)) fetchMoving(fetch, root).catch(() => {});
 }
 

@@ -17,10 +17,12 @@ export type DrawnOutlines = IntersectingOutlines & Object3D & { readonly geometr
 
 /** How a renderer draws lines between parts that move: a map that holds the part and the plane that each pixel shows, and lines from it. */
 export interface LineDrawer {
-  /** Draws the map of the parts that have a look. @param outlines those whose draw it interrupts */
+  /** Draws the map of the parts that have a look and are not seen through. @param outlines those whose draw it interrupts */
   drawMap(parts: readonly NumberedPart[], outlines: DrawnOutlines, scene: Scene, camera: Camera): void;
   /** Draws the lines of the material of outlines over the view. @param look its number in this frame */
   drawLines(outlines: DrawnOutlines, look: number, scene: Scene, camera: Camera): void;
+  /** Draws, on a part that is seen through, the lines where it meets those of the map. */
+  drawClear(part: NumberedPart, outlines: DrawnOutlines, scene: Scene, camera: Camera): void;
   /** Frees all that was made; a later frame makes it anew. */
   free(): void;
 }
@@ -48,20 +50,32 @@ export class ScreenLines {
   ) {}
 
   /**
-   * Draws the lines of the material of outlines, once for each camera in a frame. Allocates nothing while the same parts move.
+   * Draws the lines of the material of outlines, once for each camera in a frame, and those on a part that is seen through. Allocates nothing
+   * while the same parts move.
    *
+   * @param part the part of the outlines
    * @param root the scene of the parts
    */
-  draw(outlines: DrawnOutlines, parts: readonly NumberedPart[], root: Object3D, scene: Scene, camera: Camera): void {
+  draw(
+    outlines: DrawnOutlines,
+    part: NumberedPart | undefined,
+    parts: readonly NumberedPart[],
+    root: Object3D,
+    scene: Scene,
+    camera: Camera,
+  ): void {
     if (!this.frame.isOf(this.renderer, camera)) {
       this.frame.note(this.renderer, camera);
       this.isMapped = this.findMoving(parts, root, camera);
       if (this.isMapped) this.drawer.drawMap(parts, outlines, scene, camera);
     }
-    const look = this.isMapped ? this.looks.indexOf(outlines.material) : -1;
-    if (look < 0 || this.isDrawn[look]) return;
-    this.isDrawn[look] = true;
-    this.drawer.drawLines(outlines, look + 1, scene, camera);
+    if (!this.isMapped) return;
+    const look = this.looks.indexOf(outlines.material);
+    if (look >= 0 && !this.isDrawn[look]) {
+      this.isDrawn[look] = true;
+      this.drawer.drawLines(outlines, look + 1, scene, camera);
+    }
+    if (part?.isClear && part.look > 0) this.drawer.drawClear(part, outlines, scene, camera);
   }
 
   /** Gives each part in view the number of its look. Returns whether parts have moved against each other. */

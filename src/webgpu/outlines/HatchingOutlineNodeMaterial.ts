@@ -38,6 +38,7 @@ import {
 import { copyDrawState, writeDrawState } from '../../material/outlines/surfaceRules.js';
 import { writeSheet } from '../../material/pictureOffset.js';
 import { toothMap } from '../../material/tam/toothMap.js';
+import { tsl } from '../nodes/base/values.js';
 import type { OutlineDefines } from '../nodes/outlines/fragments.js';
 import { clipSpine, type OutlineNodes, outlineNodes } from '../nodes/outlines/outlineNodes.js';
 
@@ -240,6 +241,14 @@ export class HatchingOutlineNodeMaterial extends NodeMaterial {
     const context = builder.context as { getViewZ?: () => OutlineNodes['viewZ'] };
     context.getViewZ = () => this.nodes.viewZ;
     super.setup(builder);
+  }
+
+  /** @internal */
+  override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
+    const { vertex, place } = this.nodes;
+    if (vertex || !place) return super.setupPosition(builder);
+    place(builder);
+    return tsl.positionLocal as unknown as ReturnType<NodeMaterial['setupPosition']>;
   }
 
   /** Depth is that of the spine, as in GLSL. @internal */

@@ -20,10 +20,10 @@ import type { NumberedPart } from '../../material/outlines/NumberedPart.js';
 import type { DrawnOutlines, LineDrawer } from '../../material/outlines/ScreenLines.js';
 import { PosedCopy } from '../../material/three/PosedCopy.js';
 import { threeNodes, tsl } from '../nodes/base/values.js';
-import { meetingNodes } from '../nodes/outlines/meeting.js';
+import { clearInstanceNodes, clearNodes, meetingNodes } from '../nodes/outlines/meeting.js';
 import { partWord, placePart } from '../nodes/outlines/partMap.js';
 import { clippingOf } from './clippingOf.js';
-import type { HatchingOutlineNodeMaterial } from './HatchingOutlineNodeMaterial.js';
+import type { HatchingOutlineNodeMaterial, MakeNodes } from './HatchingOutlineNodeMaterial.js';
 import { placesOf } from './instancePlaces.js';
 import { hasFloatTargets } from './NodePosePass.js';
 
@@ -39,8 +39,8 @@ interface Outlines extends DrawnOutlines {
   ): void;
 }
 
-/** The uniforms that lines have beside those of outlines. */
-const OF_LINES = ['partMap', 'partLook'];
+/** The uniforms of lines that outlines do not have, and their opacity: outlines of what is seen through may be paler. */
+const OF_LINES = ['partMap', 'partLook', 'partNumber', 'opacity'];
 
 const noColor = /* @__PURE__ */ new Color(0);
 const clearColor = /* @__PURE__ */ new Color();
@@ -89,6 +89,8 @@ class NodeMovingLines implements LineDrawer {
   private isMapped = false;
   private readonly scene = new Object3D();
   private readonly copies = new Map<Mesh, PosedCopy<PartMaterial>>();
+  /** The copies of parts that are seen through. */
+  private readonly clear = new Map<Mesh, PosedCopy<HatchingOutlineNodeMaterial>>();
 
   constructor(private readonly renderer: WebGPURenderer) {
     this.scene.matrixWorldAutoUpdate = false;
@@ -101,19 +103,31 @@ class NodeMovingLines implements LineDrawer {
     const { viewport } = (outlines as Outlines).material.uniforms;
     const { z: width, w: height } = viewport.value as Vector4;
     for (const copy of this.copies.values()) copy.visible = false;
-    for (let i = 0; i < parts.length; i++) if (parts[i].look > 0) this.take(parts[i]);
+    for (let i = 0; i < parts.length; i++) if (parts[i].look > 0 && !parts[i].isClear) this.take(parts[i]);
     this.render(this.mapOf(width, height), camera);
   }
 
   drawLines(outlines: DrawnOutlines, look: number, scene: Scene, camera: Camera): void {
     if (!this.isMapped) return;
-    const { material } = outlines as Outlines;
-    const lines = material.drawing(meetingNodes, OF_LINES);
-    lines.depthTest = false;
-    lines.opacity = material.opacity;
-    lines.uniforms.partMap.value = this.map!.texture;
+    const lines = this.lookOf(outlines as Outlines, meetingNodes);
     lines.uniforms.partLook.value = look;
     (outlines as Outlines).drawOnScreen(this.renderer, scene, camera, lines, 'meetings');
+  }
+
+  drawClear({ number }: NumberedPart, outlines: DrawnOutlines, scene: Scene, camera: Camera): void {
+    const mesh = outlines.mesh!;
+    const isInstanced = 'isInstancedMesh' in mesh;
+    if (!this.isMapped || (isInstanced && (mesh as InstancedMesh).count === 0)) return;
+    const { renderer } = this;
+    const lines = this.lookOf(outlines as Outlines, isInstanced ? clearInstanceNodes : clearNodes);
+    lines.uniforms.partNumber.value = number;
+    if (isInstanced) lines.uniforms.instancePlaces.value = placesOf(mesh as InstancedMesh);
+    const copy = this.clear.get(mesh) ?? new PosedCopy(lines);
+    this.clear.set(mesh, copy);
+    copy.take(mesh);
+    const lights = renderer.lighting.getNode(scene);
+    const clipping = clippingOf(mesh, renderer);
+    renderer.renderObject(copy, scene, camera, copy.geometry, lines, null, lights, clipping, 'meetings');
   }
 
   free(): void {
@@ -121,7 +135,18 @@ class NodeMovingLines implements LineDrawer {
     this.map = null;
     for (const { material } of this.copies.values()) material.dispose();
     this.copies.clear();
+    this.clear.clear();
     this.scene.clear();
+  }
+
+  /** The material of lines with the look of outlines. */
+  private lookOf({ material }: Outlines, makeNodes: MakeNodes): HatchingOutlineNodeMaterial {
+    const lines = material.drawing(makeNodes, OF_LINES);
+    const { partMap, opacity } = lines.uniforms;
+    lines.depthTest = false;
+    lines.opacity = opacity.value = material.opacity;
+    partMap.value = this.map!.texture;
+    return lines;
   }
 
   private render(into: RenderTarget, camera: Camera): void {

@@ -1,4 +1,5 @@
 import {
+  CylinderGeometry,
   Fog,
   InstancedMesh,
   Matrix4,
@@ -117,6 +118,27 @@ export const cases: readonly SceneCase[] = [
         () => Object.assign(cut.material, { clippingPlanes }),
         () => stage.scene.add(Object.assign(new ClippingGroup(), { clippingPlanes }).add(cut)),
       );
+      return stage;
+    },
+  },
+  {
+    name: 'a rod and instances that move through glass',
+    async show(kit) {
+      const glass = new Mesh(new SphereGeometry(0.8, 48, 32), paper());
+      Object.assign(glass.material, { transparent: true, opacity: 0.3, depthWrite: false });
+      const rod = new Mesh(new CylinderGeometry(0.15, 0.15, 2.2, 32), paper());
+      const beads = new InstancedMesh(new SphereGeometry(0.3, 32, 24), glass.material, 2);
+      beads.setMatrixAt(0, new Matrix4().setPosition(0.7, -0.3, 0));
+      beads.setMatrixAt(1, new Matrix4().setPosition(-0.7, 0.3, 0));
+      beads.computeBoundingSphere();
+      // Renderers draw what is as near in an order of their own, and instances by other centres.
+      beads.position.z = 0.5;
+      rod.rotation.set(0.5, 0, 1.1);
+      const parts = [await outlined(kit, glass), await outlined(kit, rod), await outlined(kit, beads)];
+      const stage = await stageOf(parts, () => {
+        rod.position.y = -0.1;
+      });
+      rod.position.x = 0.1;
       return stage;
     },
   },

@@ -1,5 +1,5 @@
 /** Lines where parts meet that move, over the whole screen. */
-import type { Node } from 'three/webgpu';
+import type { Node, NodeBuilder } from 'three/webgpu';
 import { OUTLINE_CONSTANTS } from '../../../look/constants/outlineConstants.js';
 import { lightsOf, meanLight } from '../base/lights.js';
 import { isOrthographic, lineCoverage, pixelFromBelow } from '../base/maths.js';
@@ -9,11 +9,31 @@ import { outlineFadingAt } from '../chunks/fading.js';
 import { dryInk, inked, type OutlineDefines, opacity, spinePosition } from './fragments.js';
 import { isDrawnBefore, outlineWidth } from './hierarchy.js';
 import type { OutlineNodes } from './outlineNodes.js';
-import { NUMBERS } from './partMap.js';
+import { NUMBERS, nearnessOfPart, numberOfPart, placePart } from './partMap.js';
 import { depthAt, hasSceneDepth, NOWHERE, projection, viewport } from './sceneDepth.js';
 import { shadeWeights } from './shade.js';
 
-const { abs, bool, ceil, cross, Discard, dot, float, floor, Fn, If, int, ivec2, length, Loop, max, min, mix } = tsl;
+const {
+  abs,
+  bool,
+  ceil,
+  cross,
+  dFdx,
+  dFdy,
+  Discard,
+  dot,
+  float,
+  floor,
+  Fn,
+  If,
+  int,
+  ivec2,
+  length,
+  Loop,
+  max,
+  min,
+  mix,
+} = tsl;
 const { modelViewMatrix, normalize, select, smoothstep, varyingProperty, vec2, vec3, vec4, vertexIndex } = tsl;
 const { LIT, SHADED } = OUTLINE_CONSTANTS;
 
@@ -22,9 +42,13 @@ const { LIT, SHADED } = OUTLINE_CONSTANTS;
 /** Towards the light, unit, view space; 0 if no light has a direction. */
 const vMeetingLight = /* @__PURE__ */ varyingProperty('vec3', 'vMeetingLight');
 
-const vertex = /* @__PURE__ */ Fn((builder) => {
+function writeLight(builder: NodeBuilder): void {
   const light = meanLight(modelViewMatrix.mul(vec4(0, 0, 0, 1)).xyz, lightsOf(builder)).toVar();
   vMeetingLight.assign(light.div(max(length(light), 1e-20)));
+}
+
+const vertex = /* @__PURE__ */ Fn((builder) => {
+  writeLight(builder);
   const index = int(vertexIndex).toVar();
   return vec4(select(index.equal(int(1)), float(3), float(-1)), select(index.equal(int(2)), float(3), float(-1)), 0, 1);
 })() as unknown as Node<'vec4'>;
@@ -68,6 +92,13 @@ function partIn(word: Value): Part {
   return { number: word.x.sub(look.mul(NUMBERS)).toVar(), look, nearness: word.y, slope: word.zw };
 }
 
+/** The part that is drawn. */
+function ownPart(): Part {
+  const nearness = nearnessOfPart().toVar();
+  const slope = vec2(dFdx(nearness), dFdy(nearness)).toVar();
+  return { number: numberOfPart().toVar(), look: float(0), nearness, slope };
+}
+
 /** The part in a pixel of the view, counted from the lower left: three.js flips the rows of render targets. */
 const partAt = (texel: Value): Part =>
   partIn(partMap.load(ivec2(texel.x, int(viewport.w).sub(1).sub(texel.y))).toVar());
@@ -97,50 +128,86 @@ function placeOf({ nearness }: Part, pixel: Value): Value {
   return select(isOrthographic(), vec3(inParallel, nearness), vec3(rayAt(pixel), -1).div(nearness)).toVar();
 }
 
-/** The ink, and the share of a pixel that it covers. */
-const fragments = ({ PAPER_GRAIN }: OutlineDefines): Value =>
-  Fn((builder) => {
-    const pixel = pixelFromBelow().toVar();
-    const texel = ivec2(pixel.sub(viewport.xy)).toVar();
-    const own = partAt(texel);
-    const ownNormal = normalOf(own, pixel);
-    const place = placeOf(own, pixel);
-    const sight = select(isOrthographic(), vec3(0, 0, 1), normalize(place.negate())).toVar();
-    const turnsAway = dot(ownNormal, sight).lessThan(TURNS_AWAY);
-    Discard(own.look.notEqual(partLook).or(turnsAway));
-    spinePosition.assign(place);
-    const width = outlineWidth.mul(0.5).mul(intersections).mul(outlineFadingAt(place, pixel)).toVar();
-    const most = max(width.mul(max(shadeWeights.x, shadeWeights.y)), 0.5);
-    const reach = min(int(ceil(most.add(0.5))), int(MOST_REACH)).toVar();
+/** The nearest line: how far it is away, pixels, and a normal there, of any length. */
+interface Nearest {
+  away: Value;
+  normal: Value;
+}
 
-    const away = float(NOWHERE).toVar();
-    const normal = ownNormal.toVar();
-    const last = ivec2(viewport.zw).sub(1).toVar();
-    const range = { start: reach.negate(), end: reach, type: 'int', condition: '<=' };
-    Loop({ ...range, name: 'row' }, ({ row }) => {
-      Loop({ ...range, name: 'column' }, ({ column }) => {
-        const there = texel.add(ivec2(column, row)).toVar();
-        const isInside = (at: Value, end: Value): Value => at.greaterThanEqual(int(0)).and(at.lessThanEqual(end));
-        If(isInside(there.x, last.x).and(isInside(there.y, last.y)), () => {
-          const other = partAt(there);
-          If(other.number.greaterThan(0).and(other.number.notEqual(own.number)), () => {
-            const way = vec2(column, row).toVar();
-            const gap = own.nearness.sub(other.nearness).toVar();
-            const before = gap.add(dot(other.slope, way)).toVar();
-            const beyond = gap.add(dot(own.slope, way));
-            const distanceTo = before.div(max(length(own.slope.sub(other.slope)), 1e-30)).toVar();
-            If(before.greaterThanEqual(0).and(beyond.lessThanEqual(0)).and(distanceTo.lessThan(away)), () => {
-              const otherNormal = normalOf(other, pixel.add(way));
-              const isSteep = length(cross(ownNormal, otherNormal)).greaterThanEqual(LEAST_CROSSING);
-              If(isSteep.and(dot(otherNormal, sight).greaterThanEqual(TURNS_AWAY)), () => {
-                away.assign(distanceTo);
-                normal.assign(ownNormal.add(otherNormal));
-              });
+/** A part as it is seen, with its normal. */
+type Faced = Part & { normal: Value };
+
+const crosses = (own: Faced, normal: Value, sight: Value): Value =>
+  length(cross(own.normal, normal))
+    .greaterThanEqual(LEAST_CROSSING)
+    .and(dot(normal, sight).greaterThanEqual(TURNS_AWAY));
+
+/** Finds where the own part, which is seen through, cuts the part in its pixel. */
+function findThrough({ away, normal }: Nearest, own: Faced, other: Part, pixel: Value, sight: Value): void {
+  const otherNormal = normalOf(other, pixel);
+  const isOther = other.number.greaterThan(0).and(other.number.notEqual(own.number));
+  If(isOther.and(crosses(own, otherNormal, sight)), () => {
+    away.assign(abs(own.nearness.sub(other.nearness)).div(max(length(own.slope.sub(other.slope)), 1e-30)));
+    normal.assign(own.normal.add(otherNormal));
+  });
+}
+
+/** Finds where the own part meets those in pixels around. */
+function findAround(
+  { away, normal }: Nearest,
+  own: Faced,
+  texel: Value,
+  reach: Value,
+  pixel: Value,
+  sight: Value,
+): void {
+  const last = ivec2(viewport.zw).sub(1).toVar();
+  const range = { start: reach.negate(), end: reach, type: 'int', condition: '<=' };
+  Loop({ ...range, name: 'row' }, ({ row }) => {
+    Loop({ ...range, name: 'column' }, ({ column }) => {
+      const there = texel.add(ivec2(column, row)).toVar();
+      const isInside = (at: Value, end: Value): Value => at.greaterThanEqual(int(0)).and(at.lessThanEqual(end));
+      If(isInside(there.x, last.x).and(isInside(there.y, last.y)), () => {
+        const other = partAt(there);
+        If(other.number.greaterThan(0).and(other.number.notEqual(own.number)), () => {
+          const way = vec2(column, row).toVar();
+          const gap = own.nearness.sub(other.nearness).toVar();
+          const before = gap.add(dot(other.slope, way)).toVar();
+          const beyond = gap.add(dot(own.slope, way));
+          const distanceTo = before.div(max(length(own.slope.sub(other.slope)), 1e-30)).toVar();
+          If(before.greaterThanEqual(0).and(beyond.lessThanEqual(0)).and(distanceTo.lessThan(away)), () => {
+            const otherNormal = normalOf(other, pixel.add(way));
+            If(crosses(own, otherNormal, sight), () => {
+              away.assign(distanceTo);
+              normal.assign(own.normal.add(otherNormal));
             });
           });
         });
       });
     });
+  });
+}
+
+/** The ink, and the share of a pixel that it covers. */
+const fragments = ({ PAPER_GRAIN }: OutlineDefines, isClear: boolean): Value =>
+  Fn((builder) => {
+    const pixel = pixelFromBelow().toVar();
+    const texel = ivec2(pixel.sub(viewport.xy)).toVar();
+    const seen = partAt(texel);
+    const part = isClear ? ownPart() : seen;
+    const own = { ...part, normal: normalOf(part, pixel) };
+    const place = placeOf(own, pixel);
+    const sight = select(isOrthographic(), vec3(0, 0, 1), normalize(place.negate())).toVar();
+    if (!isClear) Discard(own.look.notEqual(partLook).or(dot(own.normal, sight).lessThan(TURNS_AWAY)));
+    spinePosition.assign(place);
+    const width = outlineWidth.mul(0.5).mul(intersections).mul(outlineFadingAt(place, pixel)).toVar();
+    const most = max(width.mul(max(shadeWeights.x, shadeWeights.y)), 0.5);
+    const reach = min(int(ceil(most.add(0.5))), int(MOST_REACH)).toVar();
+
+    const nearest = { away: float(NOWHERE).toVar(), normal: own.normal.toVar() };
+    const { away, normal } = nearest;
+    if (isClear) findThrough(nearest, own, seen, pixel, sight);
+    else findAround(nearest, own, texel, reach, pixel, sight);
 
     const isSeen = bool(true).toVar();
     if (hasSceneDepth(builder)) {
@@ -158,21 +225,38 @@ const fragments = ({ PAPER_GRAIN }: OutlineDefines): Value =>
     return inked(coverage.mul(opacity).toVar());
   })();
 
-const known = /* @__PURE__ */ new Map<boolean, OutlineNodes>();
+const known = /* @__PURE__ */ new Map<string, OutlineNodes>();
 
-/** The nodes of lines where parts meet. */
-export function meetingNodes(defines: OutlineDefines): OutlineNodes {
-  let nodes = known.get(defines.PAPER_GRAIN);
+/** What draws lines: a triangle over the screen, or the surface of a part that is seen through, whose instances have matrices. */
+type Drawn = 'screen' | 'clear' | 'clearInstances';
+
+function nodesOf(drawn: Drawn, defines: OutlineDefines): OutlineNodes {
+  const key = `meeting ${drawn} ${defines.PAPER_GRAIN}`;
+  let nodes = known.get(key);
   if (!nodes) {
+    const isClear = drawn !== 'screen';
     nodes = {
-      key: `meeting ${defines.PAPER_GRAIN}`,
-      vertex,
-      color: fragments(defines) as unknown as Node<'vec4'>,
+      key,
+      vertex: isClear ? null : vertex,
+      color: fragments(defines, isClear) as unknown as Node<'vec4'>,
       outgoing: threeNodes.diffuseColor.rgb,
       viewZ: spinePosition.z as unknown as Node<'float'>,
       logarithmicDepth: null,
+      place(builder) {
+        placePart(builder, drawn === 'clearInstances');
+        writeLight(builder);
+      },
     };
-    known.set(defines.PAPER_GRAIN, nodes);
+    known.set(key, nodes);
   }
   return nodes;
 }
+
+/** The nodes of lines where parts meet. */
+export const meetingNodes = (defines: OutlineDefines): OutlineNodes => nodesOf('screen', defines);
+
+/** The nodes of lines on a part that is seen through. */
+export const clearNodes = (defines: OutlineDefines): OutlineNodes => nodesOf('clear', defines);
+
+/** The nodes of lines on instances that are seen through. */
+export const clearInstanceNodes = (defines: OutlineDefines): OutlineNodes => nodesOf('clearInstances', defines);

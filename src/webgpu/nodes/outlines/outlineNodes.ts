@@ -111,7 +111,10 @@ export const logarithmicDepth = (defines: OutlineDefines): Value =>
 export interface OutlineNodes {
   /** The defines that they are built for. */
   key: string;
-  vertex: Node<'vec4'>;
+  /** The position in clip space; null for what `place` places. */
+  vertex: Node<'vec4'> | null;
+  /** Moves the vertex of an object. */
+  place?(builder: NodeBuilder): void;
   color: Node<'vec4'>;
   outgoing: Node<'vec3'>;
   /** The z in view space that fog is computed from. */

@@ -19,7 +19,7 @@ export function placePart(builder: NodeBuilder, isInstanced: boolean): void {
   if (isInstanced) positionLocal.assign(placeOfInstance(positionLocal, placeOfInstanceNumber(int(instanceIndex))));
 }
 
-const numberOfPart = (): Value => varying(partNumber.add(float(instanceIndex)));
+const numberAlong = (): Value => varying(partNumber.add(float(instanceIndex)));
 
 /** Counterpart of shaders/meetings/part.frag: what the map holds of a pixel. */
 
@@ -29,12 +29,17 @@ export const NUMBERS = 65_536;
 /** The number of the material of its outlines, from 1. */
 const partLook = /* @__PURE__ */ hatchingUniform('partLook', 'float');
 
-/** Look and number, nearness, and the slope of the nearness. */
-export const partWord: Node<'vec4'> = /* @__PURE__ */ Fn(() => {
-  // Larger where it is nearer, and linear over the screen on a plane.
-  const nearness = select(isOrthographic(), positionView.z, float(-1).div(positionView.z)).toVar();
-  const number = floor(numberOfPart().add(0.5))
+/** The number that the map holds of the part that is drawn, from 1. */
+export const numberOfPart = (): Value =>
+  floor(numberAlong().add(0.5))
     .mod(NUMBERS - 1)
     .add(1);
-  return vec4(partLook.mul(NUMBERS).add(number), nearness, dFdx(nearness), dFdy(nearness));
+
+/** Larger where it is nearer, and linear over the screen on a plane. */
+export const nearnessOfPart = (): Value => select(isOrthographic(), positionView.z, float(-1).div(positionView.z));
+
+/** Look and number, nearness, and the slope of the nearness. */
+export const partWord: Node<'vec4'> = /* @__PURE__ */ Fn(() => {
+  const nearness = nearnessOfPart().toVar();
+  return vec4(partLook.mul(NUMBERS).add(numberOfPart()), nearness, dFdx(nearness), dFdy(nearness));
 })() as unknown as Node<'vec4'>;

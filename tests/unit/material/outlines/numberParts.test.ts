@@ -47,7 +47,7 @@ test('parts that rest share a number, and those that have moved together share a
   expect(numberParts(parts, scene)).toBe(1);
 });
 
-test('each instance has a number of its own; what is hidden, elsewhere, transparent or without lines has none', () => {
+test('each instance has a number of its own; what is hidden, elsewhere or cut out has none', () => {
   const { meshes, group, scene, parts } = boxes();
   const instances = new InstancedMesh(geometry, new MeshBasicMaterial(), 3);
   for (const i of [0, 1, 2]) instances.setMatrixAt(i, new Matrix4());
@@ -55,9 +55,20 @@ test('each instance has a number of its own; what is hidden, elsewhere, transpar
   parts.unshift(partOf(instances));
   expect(numberParts(parts, scene)).toBe(4);
   expect(numbersOf(parts)).toEqual([2, 1, 1, 1]);
-  (meshes[0].material as MeshBasicMaterial).transparent = true;
+  (meshes[0].material as MeshBasicMaterial).alphaTest = 0.5;
   group.visible = false;
   instances.removeFromParent();
   expect(numberParts(parts, scene)).toBe(0);
   expect(numbersOf(parts)).toEqual([0, 0, 0, 0]);
+});
+
+test('a part that is seen through is numbered as others are', () => {
+  const { meshes, scene, parts } = boxes();
+  const [glass] = meshes;
+  Object.assign(glass.material, { transparent: true, depthWrite: false });
+  glass.position.y = 0.1;
+  scene.updateMatrixWorld(true);
+  expect(numberParts(parts, scene)).toBe(2);
+  expect(numbersOf(parts)).toEqual([2, 1, 1]);
+  expect(parts.map(({ isClear }) => isClear)).toEqual([true, false, false]);
 });

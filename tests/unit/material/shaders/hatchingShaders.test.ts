@@ -5,7 +5,7 @@ import { deformationShaders } from '../../../../src/material/deformation/PrePass
 import { backgroundShaders } from '../../../../src/material/HatchingBackground.js';
 import { HatchingShadowMaterial } from '../../../../src/material/HatchingShadowMaterial.js';
 import { outlineShaders } from '../../../../src/material/outlines/HatchingOutlineMaterial.js';
-import { lineShaders, partShaders } from '../../../../src/material/outlines/MovingLines.js';
+import { clearShaders, lineShaders, partShaders } from '../../../../src/material/outlines/MovingLines.js';
 import { fetchPart, partNameOf } from '../../../../src/material/parts/parts.js';
 import { hatchingShaders, type Shaders } from '../../../../src/material/shaders/hatchingShaders.js';
 import { plainShaders } from '../../../../src/material/shaders/plainShaders.js';
@@ -92,6 +92,7 @@ describe('the shaders', () => {
       outlineShaders(),
       partShaders(),
       lineShaders(outlineShaders()),
+      clearShaders(outlineShaders()),
       backgroundShaders(),
       ground,
       ...(await Promise.all(ofLooks)),
