@@ -35,6 +35,10 @@ export const techniqueOf = ({ technique = HATCHING_DEFAULTS.technique }: Hatchin
 /** Whether a technique draws lines: engraved, in strokes of a pen, or cut in wood. */
 export const drawsLines = (technique: HatchingTechnique): boolean => familyOf(technique) === 'lines';
 
+/** Whether a look draws the strokes of a hand in rows. Allocates nothing. */
+export const drawsHand = (look: Pick<HatchingLook, 'technique' | 'hand'>): boolean =>
+  techniqueOf(look) === 'pen' && (look.hand ?? null) !== null;
+
 /** Whether a technique reads a property. Allocates nothing. */
 export const isUsedBy = (technique: HatchingTechnique, { techniques }: HatchingProperty): boolean =>
   techniques?.includes(technique) ?? true;

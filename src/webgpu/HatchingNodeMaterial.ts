@@ -33,7 +33,7 @@ import { isMirror } from '../look/mirrors.js';
 import type { PresetName } from '../look/presetMaterials.js';
 import { defaultOf, spelledOut } from '../look/presetParameters.js';
 import { formOf, needsAdjacency, needsMap, resolveLook, runsAway, usesThresholds } from '../look/queries.js';
-import { checkChoice } from '../material/checkProperty.js';
+import { checkChoice, checkHand } from '../material/checkProperty.js';
 import { checkValues, type HatchingMaterialParameters } from '../material/checkValues.js';
 import { FrameStamp } from '../material/FrameStamp.js';
 import { takesWeight, writeFading, writeImportance } from '../material/fading/fading.js';
@@ -60,8 +60,19 @@ import { type HatchingMap, withVectors } from '../material/propertyValues.js';
 import { TONE_CURVES } from '../material/shaders/defineNames.js';
 import type { TonalArtMap } from '../material/tam/TonalArtMap.js';
 import { writeCurveUniforms } from '../material/toneCurveTable.js';
+import type { Hand } from '../strokes/hand/Hand.js';
 import { maxTextureSize, warnOnce } from './deviceLimits.js';
-import { dotLayerOf, exposureReady, patternReady, writeExposure, writePattern } from './fetchedCode.js';
+import {
+  checkStrokes,
+  dotLayerOf,
+  exposureReady,
+  handPrinterOf,
+  handReady,
+  patternReady,
+  writeExposure,
+  writeHand,
+  writePattern,
+} from './fetchedCode.js';
 import { HatchingLightingModel, type LitSurface, unlitSurface } from './HatchingLightingModel.js';
 import { darknessOf, emitVertex } from './hatchSurface.js';
 import { lightLuminance, pixelFromBelow } from './nodes/base/maths.js';
@@ -102,7 +113,7 @@ class MeshValues extends Node {
 const meshValues = /* @__PURE__ */ new MeshValues();
 
 export interface HatchingNodeMaterial
-  extends Pick<HatchingMaterialProperties, Exclude<PropertyNameOf<undefined>, 'toneCurve'>> {}
+  extends Pick<HatchingMaterialProperties, Exclude<PropertyNameOf<undefined>, 'hand' | 'toneCurve'>> {}
 
 /**
  * `HatchingMaterial` for WebGPURenderer, experimental: the same properties with the same names, defaults and checks. It draws the
@@ -121,7 +132,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
   readonly envMap: null = null;
   protected focused: Vector3 | null = null;
   protected chosenMap: HatchingMap = HATCHING_DEFAULTS.tonalArtMap;
-  protected chosenHand: HatchingMaterialProperties['hand'] = null;
+  protected chosenHand: Hand | null = null;
   protected numbers = new Map<HatchingPropertyName, number | 'auto' | 'fit' | null>();
   private readonly chosen: Partial<Record<HatchingPropertyName, string | boolean>> = {
     technique: HATCHING_DEFAULTS.technique,
@@ -183,6 +194,19 @@ export class HatchingNodeMaterial extends NodeMaterial {
     this.ofTriangles.setValues(value);
   }
 
+  get hand(): Hand | null {
+    return this.chosenHand;
+  }
+
+  set hand(value: Hand | null) {
+    checkHand(value);
+    if (value) checkStrokes(value);
+    const isOther = (value === null) !== (this.chosenHand === null);
+    this.chosenHand = value;
+    // All hands are drawn by the same nodes.
+    if (isOther) this.needsUpdate = true;
+  }
+
   get toneCurve(): ToneCurve {
     return this.curve ?? (defaultOf('toneCurve', this.technique) as ToneCurve);
   }
@@ -207,14 +231,15 @@ export class HatchingNodeMaterial extends NodeMaterial {
   }
 
   /**
-   * Resolves when everything the material draws with is loaded: its tonal art map, the pattern of its technique, and the code that fits the
-   * exposure. These are fetched when a material first needs them; until then strokes are missing and the exposure is 1. For a page that
-   * renders only on changes: `material.ready.then(render)`. Rejects if one of them cannot be loaded; reading it again tries again.
+   * Resolves when everything the material draws with is loaded: its tonal art map, the pattern of its technique, the code that draws its hand,
+   * and that which fits the exposure. These are fetched when a material first needs them; until then strokes are missing, or those of a pen in
+   * place of a hand's, and the exposure is 1. For a page that renders only on changes: `material.ready.then(render)`. Rejects if one of them
+   * cannot be loaded; reading it again tries again.
    */
   get ready(): Promise<void> {
     const map = mapIsReady(needsMap(this) ? this.tonalArtMap : null);
     const exposed = exposureReady(this.look);
-    return Promise.all([map, patternReady(this), exposed]).then(() => {});
+    return Promise.all([map, patternReady(this), handReady(this), exposed]).then(() => {});
   }
 
   /** Sets all properties of a preset. Properties that only other presets set get their defaults. */
@@ -273,6 +298,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
       curve,
       inkBlend,
       Number(dotLayerOf(this) !== undefined),
+      Number(handPrinterOf(this) !== undefined),
     ].join(' ');
   }
 
@@ -307,6 +333,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
     u.inked.value = Number(hasPattern && (map !== null || !needsMap(this)));
     this.writeCurve();
     writeComputedUniforms(look, u);
+    writeHand(look, pixelRatio, u, this.renew);
     writeFading(look, u, renderer, camera);
     writeExposure(look, renderer, scene, camera, u);
     const target = renderer.getRenderTarget();
@@ -417,8 +444,6 @@ export class HatchingNodeMaterial extends NodeMaterial {
   private warnOfMissing(): void {
     const { technique } = this;
     if (needsAdjacency(this)) warnOnce(`there are no nodes of the technique "${technique}" yet; "engraving" is drawn.`);
-    if (technique === 'pen' && this.hand)
-      warnOnce('there are no nodes of the strokes of a hand yet; plain strokes of a pen are drawn.');
   }
 
   private print(lit: LitSurface, builder: NodeBuilder): Value {

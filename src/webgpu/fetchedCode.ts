@@ -1,8 +1,11 @@
-/** Code that is fetched when a material first needs it: patterns of techniques, and the fit of the exposure. */
+/** Code that is fetched when a material first needs it: patterns of techniques, strokes of a hand, and the fit of the exposure. */
 import type { Camera, DataTexture, IUniform, Scene, WebGLRenderer } from 'three';
 import type { HatchingTechnique } from '../look/hatchingProperties.js';
+import { drawsHand } from '../look/queries.js';
 import { isFitted } from '../material/exposure/ToneFit.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
+import type { Hand } from '../strokes/hand/Hand.js';
+import type { FamilyPrinter } from './nodes/lines/ruledLines.js';
 import type { hatchLayer } from './nodes/strokes/stipple.js';
 
 /** Code that is imported when a material first needs it. */
@@ -95,6 +98,49 @@ export function writePattern(look: Look, uniforms: Record<string, IUniform>, whe
   if (code) uniforms[pattern.name].value = code.texture();
   else pattern.made.ask(whenThere);
   return code !== undefined;
+}
+
+const ofHands = /* @__PURE__ */ new Later(
+  'draws the strokes of a hand',
+  'plain strokes of a pen are drawn',
+  async () => {
+    const codes = [import('../material/parts/handRows.js'), import('./nodes/lines/handStrokes.js')] as const;
+    const [{ part }, { ruledLines }] = await Promise.all(codes);
+    return { ...part, printer: ruledLines as FamilyPrinter };
+  },
+);
+
+/** A look that may draw the strokes of a hand. */
+type HandLook = Pick<HatchingMaterialProperties, 'technique' | 'hand'>;
+
+/** Resolves when the code of the strokes of a hand is loaded, or a look draws none. */
+export const handReady = async (look: HandLook): Promise<void> => {
+  if (drawsHand(look)) await ofHands.fetch();
+};
+
+/** What prints the strokes of a hand, if a look draws them and the code is loaded. */
+export const handPrinterOf = (look: HandLook): FamilyPrinter | undefined =>
+  drawsHand(look) ? ofHands.code?.printer : undefined;
+
+/** Finds every fault of a hand, once the code is loaded. @throws TypeError or RangeError with the fault */
+export const checkStrokes = (hand: Hand): void => ofHands.code?.checkHand(hand);
+
+/**
+ * Writes the strokes of a material's hand and its numbers after all other values, once the code is loaded. Allocates nothing after the first
+ * call.
+ *
+ * @param whenThere called when it is loaded, if it is not yet
+ */
+export function writeHand(
+  material: HatchingMaterialProperties,
+  pixelRatio: number,
+  uniforms: Record<string, IUniform>,
+  whenThere: () => void,
+): void {
+  if (!drawsHand(material)) return;
+  const { code } = ofHands;
+  if (code) code.writeUniforms(uniforms, material, pixelRatio);
+  else ofHands.ask(whenThere);
 }
 
 const fitting = /* @__PURE__ */ new Later(

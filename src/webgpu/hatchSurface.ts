@@ -5,7 +5,7 @@ import { type ResolvedLook, resolveLook } from '../look/queries.js';
 import { isFormed } from '../material/geometry/formGeometry.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { hasRoomForForm } from './deviceLimits.js';
-import { dotLayerOf } from './fetchedCode.js';
+import { dotLayerOf, handPrinterOf } from './fetchedCode.js';
 import { directedLights, lightsOf } from './nodes/base/lights.js';
 import { pixelFromBelow } from './nodes/base/maths.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
@@ -19,8 +19,9 @@ import type { HatchingSurface } from './nodes/chunks/tone.js';
 import { deformVertex, placeInstance } from './nodes/chunks/vertex.js';
 import { emitLines } from './nodes/lines/emit.js';
 import { type DirectionChoices, turnsWithLight } from './nodes/lines/fields.js';
-import { hatchLayer, shadowLayer as shadowFamilies } from './nodes/lines/hatchLayer.js';
+import { hatchLayer, type Printing as LinePrinting, shadowLayer as shadowFamilies } from './nodes/lines/hatchLayer.js';
 import { read } from './nodes/lines/read.js';
+import { ruledLines } from './nodes/lines/ruledLines.js';
 import { emitStrokes } from './nodes/strokes/emit.js';
 import { hatch, shadowLayer } from './nodes/strokes/layers.js';
 import { type HatchingParameters, readHatchingParameters } from './nodes/strokes/read.js';
@@ -84,9 +85,13 @@ function linesIn(look: Look, { receivedShadows, shadowLeft }: HatchingSurface, b
     shadowLeft,
     lights: lightsOf(builder),
   });
+  const printing: LinePrinting = {
+    isPen: technique === 'pen',
+    printFamily: handPrinterOf(look) ?? ((...family) => ruledLines(...family, technique)),
+  };
   return {
-    hatch: (tone) => hatchLayer(h, tone, technique),
-    shadowLayer: (tone) => shadowFamilies(h, tone, technique),
+    hatch: (tone) => hatchLayer(h, tone, printing),
+    shadowLayer: (tone) => shadowFamilies(h, tone, printing),
   };
 }
 

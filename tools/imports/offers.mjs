@@ -167,6 +167,7 @@ export const OFFERS = {
     'outlines/ScreenLines.ts',
     'outlines/surfaceRules.ts',
     'parts/exposure.ts',
+    'parts/handRows.ts',
     'parts/fieldFrame.ts',
     'parts/parts.ts',
     'shaders/defineNames.ts',

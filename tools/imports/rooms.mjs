@@ -15,7 +15,7 @@ export const ROOMS = {
   material: ['mesh', 'strokes', 'worker', 'look', '/shaders'],
   scene: ['mesh', 'strokes', 'worker', 'look', 'material'],
   vector: ['mesh', 'strokes', 'worker', 'look', 'material'],
-  webgpu: ['mesh', 'look', 'material', 'scene'],
+  webgpu: ['mesh', 'strokes', 'look', 'material', 'scene'],
   'index.ts': ['mesh', 'strokes', 'worker', 'look', 'material', 'scene'],
   'development.ts': ['material', 'index.ts'],
   'facts.ts': ['look', 'material', 'scene'],

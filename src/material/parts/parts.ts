@@ -1,10 +1,12 @@
 import type { HatchingTechnique } from '../../look/hatchingProperties.js';
 import { isMirror } from '../../look/mirrors.js';
 import { familyOf } from '../../look/presetParameters.js';
+import { drawsHand } from '../../look/queries.js';
 import type { PaintedLook } from './laterPlans.js';
 import type { MaterialPart } from './MaterialPart.js';
 
-type Imports = readonly Promise<{ part: MaterialPart }>[];
+/** At least one of them has the surface and the files. */
+type Imports = readonly Promise<{ part: Partial<MaterialPart> }>[];
 
 /** The imports of each part. All start at once, so that none waits for another. */
 const FETCH = {
@@ -12,7 +14,7 @@ const FETCH = {
   dryMedia: (): Imports => [import('./strokes.js'), import('./dryMedia.js')],
   stipple: (): Imports => [import('./strokes.js'), import('./stipple.js')],
   lines: (): Imports => [import('./lines.js')],
-  handStrokes: (): Imports => [import('./lines.js'), import('./handStrokes.js')],
+  handStrokes: (): Imports => [import('./lines.js'), import('./handStrokes.js'), import('./handRows.js')],
   woodcut: (): Imports => [import('./lines.js'), import('./woodcut.js')],
   perTriangle: (): Imports => [import('./strokes.js'), import('./perTriangle.js')],
 };
@@ -26,8 +28,9 @@ const fetched = /* @__PURE__ */ new Map<PartName, MaterialPart>();
 const fetching = /* @__PURE__ */ new Map<PartName, Promise<MaterialPart>>();
 
 /** The part that a technique needs, with or without a hand. */
-function techniquePart({ technique, hand = null }: LookOfParts): TechniquePart {
-  if (technique === 'pen' && hand !== null) return 'handStrokes';
+function techniquePart(look: LookOfParts): TechniquePart {
+  if (drawsHand(look)) return 'handStrokes';
+  const { technique } = look;
   return (technique in FETCH ? technique : familyOf(technique)) as TechniquePart;
 }
 
@@ -43,9 +46,6 @@ export interface LookOfParts {
   readonly roughness?: unknown;
 }
 
-/** Whether a look draws the strokes of a hand in rows. */
-export const drawsHand = (look: LookOfParts): boolean => techniquePart(look) === 'handStrokes';
-
 /** A part that has loaded; undefined if it has not. */
 export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched.get(name);
 
@@ -53,7 +53,7 @@ export const fetchedPart = (name: PartName): MaterialPart | undefined => fetched
 export const isFetched = (look: LookOfParts): boolean => fetched.has(partNameOf(look));
 
 /** Several parts as one. */
-const joined = (parts: readonly MaterialPart[]): MaterialPart =>
+const joined = (parts: readonly Partial<MaterialPart>[]): MaterialPart =>
   Object.assign({}, ...parts, { files: Object.assign({}, ...parts.map(({ files }) => files)) });
 
 /**

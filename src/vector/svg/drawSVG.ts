@@ -1,6 +1,7 @@
 import type { Camera, Mesh, Object3D } from 'three';
+import { drawsHand } from '../../look/queries.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
-import { drawsHand, fetchPart } from '../../material/parts/parts.js';
+import { fetchPart } from '../../material/parts/parts.js';
 import { runSliced } from '../../mesh/runSliced.js';
 import { runTaskOf } from '../../worker/runTask.js';
 import type { TaskSet } from '../../worker/TaskSet.js';

@@ -8,7 +8,7 @@ import {
   Vector3,
   Vector4,
 } from 'three';
-import { resolveLook } from '../../look/queries.js';
+import { drawsHand, resolveLook } from '../../look/queries.js';
 import { luminanceOf } from '../../look/vectors.js';
 import { isFitted, type ToneFit } from '../../material/exposure/ToneFit.js';
 import { type FadingLook, importanceOf, takesWeight, writeDepthFading } from '../../material/fading/fading.js';
@@ -19,7 +19,7 @@ import type { HatchingBackground } from '../../material/HatchingBackground.js';
 import type { HatchingMaterial } from '../../material/HatchingMaterial.js';
 import type { HatchingShadowMaterial } from '../../material/HatchingShadowMaterial.js';
 import { createHatchingUniforms, writeComputedUniforms, writeSizeUniforms } from '../../material/hatchingUniforms.js';
-import { drawsHand, fetchedPart } from '../../material/parts/parts.js';
+import { fetchedPart } from '../../material/parts/parts.js';
 import { writeSheet } from '../../material/pictureOffset.js';
 import type { StrokeProfiles } from '../../strokes/strokeProfiles.js';
 import type { DrawnBackground } from '../DrawnScene.js';

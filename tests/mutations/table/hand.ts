@@ -80,7 +80,7 @@ export const hand: readonly Mutation[] = [
   },
   {
     name: 'the second layer of a hand crosses to the same side whatever the sign of its angle',
-    file: 'src/material/parts/handStrokes.ts',
+    file: 'src/material/parts/handRows.ts',
     find: '(crossingAngle * Math.PI) / 180',
     replace: '(Math.abs(crossingAngle) * Math.PI) / 180',
     caughtBy: {

@@ -35,6 +35,26 @@ export const nodes: readonly Mutation[] = [
     },
   },
   {
+    name: 'rows of nodes have no bundles',
+    file: 'src/webgpu/nodes/lines/handStrokes.ts',
+    find: 'aside.assign(aside.sub(bundledAside(row, lot)));',
+    replace: '',
+    caughtBy: {
+      layer: 'webgpu',
+      file: 'tests/webgpu/hands.spec.ts',
+    },
+  },
+  {
+    name: 'strokes of a hand of nodes end along the axis across which they are counted',
+    file: 'src/webgpu/nodes/lines/handStrokes.ts',
+    find: 'cells.places.sub(cells.askew.mul(aside.mul(period)))',
+    replace: 'cells.places',
+    caughtBy: {
+      layer: 'webgpu',
+      file: 'tests/webgpu/hands.spec.ts',
+    },
+  },
+  {
     name: 'outlines of nodes show through what lies before them',
     file: 'src/webgpu/nodes/outlines/hierarchy.ts',
     find: 'gap.greaterThanEqual(spine.tolerance.negate())',

@@ -3,6 +3,7 @@ import { describe, expect, test, vi } from 'vitest';
 import { HATCHING_PROPERTIES, type HatchingPropertyName } from '../../../src/look/hatchingProperties.js';
 import { givenValue } from '../../../src/look/queries.js';
 import { HatchingMaterial } from '../../../src/material/HatchingMaterial.js';
+import { exampleHand } from '../../../src/strokes/hands/index.js';
 import { applyHatching } from '../../../src/webgpu/applyHatching.js';
 import { HatchingNodeMaterial } from '../../../src/webgpu/HatchingNodeMaterial.js';
 import { HatchingOutlines } from '../../../src/webgpu/outlines/HatchingOutlines.js';
@@ -58,6 +59,28 @@ describe('HatchingNodeMaterial', () => {
       key({ strokeAnchor: 'deformed' }),
     ];
     expect(new Set(keys).size).toBe(keys.length);
+  });
+
+  test('keeps its program from hand to hand, and takes another for the first and for none', async () => {
+    const material = new HatchingNodeMaterial({ technique: 'pen', hand: exampleHand('brush') });
+    const plain = new HatchingNodeMaterial({ technique: 'pen' }).customProgramCacheKey();
+    await material.ready;
+    const [key, version] = [material.customProgramCacheKey(), material.version];
+    expect(key).not.toBe(plain);
+    material.hand = exampleHand('woodcut');
+    expect([material.customProgramCacheKey(), material.version]).toEqual([key, version]);
+    material.hand = null;
+    expect(material.customProgramCacheKey()).toBe(plain);
+    expect(material.version).toBeGreaterThan(version);
+  });
+
+  test('refuses a hand with a fault once the code of hands is loaded, and keeps the last one', async () => {
+    const hand = exampleHand('brush');
+    const material = new HatchingNodeMaterial({ technique: 'pen', hand });
+    await material.ready;
+    const faulty = { ...hand, numbers: { ...hand.numbers, width: Number.NaN } };
+    expect(() => Object.assign(material, { hand: faulty })).toThrow(/numbers\.width is NaN/);
+    expect(material.hand).toBe(hand);
   });
 
   test('warns once that it has no debug views', () => {

@@ -47,7 +47,7 @@ const REASONS: readonly [chunks: RegExp, reason: string][] = [
   ],
   [/^chunks\/plainColor\.glsl$/, 'its nodes compute the darkness at fragments'],
   [/^chunks\/darkenedByColor\.glsl$/, 'its function is in chunks/tone.ts'],
-  [/^chunks\/(handStrokes|handShadowStrokes|strokeShadows)\.glsl$/, 'only WebGLRenderer draws the strokes of a hand'],
+  [/^chunks\/(handShadowStrokes|strokeShadows)\.glsl$/, 'nodes read shadows at fragments, not along strokes of a hand'],
   [/^outlines\/surroundings\.glsl$/, 'three.js fogs outlines of nodes, and outlines/outlineNodes.ts clips them'],
 ];
 
@@ -175,6 +175,8 @@ const OTHER_UNIFORMS: Record<string, readonly string[]> = {
 
 /** Constants that one side lacks, or has with another value, by chunk. */
 const OTHER_CONSTANTS: Record<string, readonly string[]> = {
+  // Only strokes that end at shadows need it, which nodes lack.
+  'chunks/handStrokes.glsl': ['LEAST_FACING'],
   // A literal in GLSL.
   'chunks/shadowSearch.glsl': ['RINGS'],
   // Words of integers in GLSL, and floats in nodes.

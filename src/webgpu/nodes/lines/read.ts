@@ -74,9 +74,14 @@ export interface LinesInShadow {
   shadowLeft: Value | null;
 }
 
+/** The cosine and the sine of the angle at which a family crosses the first; of a negative one, which leans back, the sine is negative. */
+export type Lean = readonly [cosine: Value, sine: Value];
+
 /** The parameters of engraving at a fragment: the functions whose level sets are lines, and their derivatives on the screen. */
 export interface HatchingParameters {
   onScreen: ScreenMap;
+  /** What builds the shader. */
+  builder: NodeBuilder;
   /** The share of the shadows' tone that is left where shadows alone are drawn; null elsewhere. */
   shadowLeft: Value | null;
   /** Pressure of the hand. */
@@ -91,9 +96,8 @@ export interface HatchingParameters {
    *
    * @param isB the side towards which it leans
    * @param lean cosine and sine of the angle at which it crosses the first
-   * @param isOther whether the sine is negative
    */
-  crossingFamily(isB: boolean, lean: readonly [cosine: Value, sine: Value], isOther: boolean): Family;
+  crossingFamily(isB: boolean, lean: Lean): Family;
 }
 
 /** Counterpart of shaders/techniques/lines/read.glsl, from here and at the end: the parameters of lines at this fragment. */
@@ -190,6 +194,7 @@ export function readCutLines(
   const valueOnScreen = screenGradient(gradient, onScreen).toVar();
   return {
     onScreen,
+    builder,
     shadowLeft,
     pressure: handPressure(waves).toVar(),
     firstShare,
@@ -256,6 +261,7 @@ export function readFormLines(
   const crossingOnScreen = screenGradient(crossing.xyz, onScreen).toVar();
   return {
     onScreen,
+    builder,
     shadowLeft,
     pressure: pressure.toVar(),
     firstShare: float(1),
@@ -271,15 +277,16 @@ export function readFormLines(
     }),
     // The other family crosses at the angle of the bake. The difference of the two functions is whole across seams too, and its lines lean
     // the other way.
-    crossingFamily(_isB, _lean, isOther) {
-      const gradient = isOther ? first.xyz.sub(crossing.xyz).toVar() : crossing.xyz;
+    crossingFamily(_isB, [, sine]) {
+      const isOther = sine.lessThan(0).toVar();
+      const gradient = select(isOther, first.xyz.sub(crossing.xyz), crossing.xyz).toVar();
       return {
-        value: isOther ? values[0].sub(values[1]) : values[1],
-        perPixel: length(isOther ? valueOnScreen.sub(crossingOnScreen) : crossingOnScreen),
+        value: select(isOther, values[0].sub(values[1]), values[1]).toVar(),
+        perPixel: length(select(isOther, valueOnScreen.sub(crossingOnScreen), crossingOnScreen)),
         trianglePerPixel: length(screenGradient(gradient, triangle)),
         rise: length(crossing.xyz),
         gradient,
-        coarsest: isOther ? Math.min(along, across) : coarsest.y,
+        coarsest: select(isOther, min(coarsest.x, coarsest.y), coarsest.y).toVar(),
         isOfForm: true,
       };
     },

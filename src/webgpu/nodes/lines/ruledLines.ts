@@ -85,6 +85,9 @@ function coveringBy(
   };
 }
 
+/** Prints the lines of a family, or the rows of strokes of a hand, and returns their darkness. */
+export type FamilyPrinter = (h: HatchingParameters, family: Family, tone: Value) => Value;
+
 /** The darkness of a family. */
 export function ruledLines(h: HatchingParameters, family: Family, tone: Value, technique: HatchingTechnique): Value {
   const trianglePerPixel = trianglePerPixelOf(family);

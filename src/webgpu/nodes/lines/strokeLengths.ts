@@ -68,10 +68,13 @@ export function octaveOf(h: HatchingParameters, family: Family, trianglePerPixel
 
 /** Counterpart of shaders/techniques/lines/strokeLengths.glsl: the strokes that the lines of a family are drawn in. */
 
-const strokeLength = /* @__PURE__ */ hatchingUniform('strokeLength', 'float');
+export const strokeLength: Value = /* @__PURE__ */ hatchingUniform('strokeLength', 'float');
 
 /** The coordinates of a fragment along the lines of a family: on the two axes of the field along which the lines run most. */
 export interface Along {
+  /** The axes. */
+  first: Value;
+  second: Value;
   places: Value;
   /** Share of the first axis. */
   share: Value;
@@ -81,7 +84,7 @@ export interface Along {
   longer: Value;
 }
 
-const crossed = (a: Value, b: Value): Value => abs(a.x.mul(b.y).sub(a.y.mul(b.x)));
+export const crossed = (a: Value, b: Value): Value => abs(a.x.mul(b.y).sub(a.y.mul(b.x)));
 
 export function alongLines(h: HatchingParameters, family: Family): Along {
   const direction = cross(vFieldNormal, family.gradient).toVar();
@@ -102,6 +105,8 @@ export function alongLines(h: HatchingParameters, family: Family): Along {
   const octave = mix(onObject, onScreen, screenSpaceShare).toVar();
   const whole = ceil(octave.sub(0.5)).toVar();
   return {
+    first,
+    second,
     places: vec2(dot(first, vFieldPoint), dot(second, vFieldPoint)).toVar(),
     share,
     period: powerOf2(whole).toVar(),

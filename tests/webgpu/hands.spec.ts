@@ -1,0 +1,3 @@
+import { testGroup } from './besideGlsl.js';
+
+testGroup('hands', ['a brush along the form']);
