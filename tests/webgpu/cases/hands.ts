@@ -93,7 +93,9 @@ export const cases: readonly SceneCase[] = [
       const stage = await drawn(kit, { hand: handOf('brush'), direction: 'light' });
       return {
         ...stage,
-        change: () => Object.assign(stage.mesh.material, { hand: handOf('crayon', { crossingFrom: 0.3 }) }),
+        change() {
+          Object.assign(stage.mesh.material, { hand: handOf('crayon', { crossingFrom: 0.3 }) });
+        },
       };
     },
   },
@@ -103,7 +105,12 @@ export const cases: readonly SceneCase[] = [
       // Loads the code of the pen.
       (await kit.hatching(ROWS)).dispose();
       const stage = await drawn(kit, { hand: handOf('brush'), direction: 'light' });
-      return { ...stage, change: () => Object.assign(stage.mesh.material, { hand: null }) };
+      return {
+        ...stage,
+        change() {
+          Object.assign(stage.mesh.material, { hand: null });
+        },
+      };
     },
   },
 ];
