@@ -32,9 +32,9 @@ export class Bvh {
   /** The triangle that was hit last, which the next ray most likely hits too. */
   private lastMet = 0;
   /** The current ray. */
-  private origin: Vec3 = [0, 0, 0];
-  private direction: Vec3 = [0, 0, 1];
-  private inverse: Vec3 = [0, 0, 1];
+  private readonly origin = new Float64Array(3);
+  private readonly direction = new Float64Array(3);
+  private readonly inverse = new Float64Array(3);
   /** Bits of the sides that count as hits, for the front and for the back of a triangle. */
   private ofFront = 0;
   private ofBack = 0;
@@ -136,9 +136,11 @@ export class Bvh {
 
   private setRay(origin: Vec3, way: Vec3, ofFront: number, ofBack: number): void {
     this.rays++;
-    this.origin = origin;
-    this.direction = way;
-    this.inverse = [1 / way[0], 1 / way[1], 1 / way[2]];
+    for (let a = 0; a < 3; a++) {
+      this.origin[a] = origin[a];
+      this.direction[a] = way[a];
+      this.inverse[a] = 1 / way[a];
+    }
     this.ofFront = ofFront;
     this.ofBack = ofBack;
   }
@@ -233,7 +235,9 @@ export class Bvh {
   private meetsTriangle(i: number): number {
     const c = this.sorted;
     const o = 9 * i;
-    const { 0: dx, 1: dy, 2: dz } = this.direction;
+    const dx = this.direction[0];
+    const dy = this.direction[1];
+    const dz = this.direction[2];
     const e1x = c[o + 3] - c[o];
     const e1y = c[o + 4] - c[o + 1];
     const e1z = c[o + 5] - c[o + 2];

@@ -4,6 +4,7 @@ import type { StrokeProfiles } from '../strokes/strokeProfiles.js';
 import type { SurfacePlace } from './LineSurface.js';
 import type { FamilyMeasure, HandPlace, LineTechnique, StrokePlace } from './lineMarks.js';
 import type { Projection } from './Projection.js';
+import type { PosedMaps } from './paint/PaintLook.js';
 import { rowOctaves } from './shading/carving.js';
 import { KEPT_BY_PEN, leftOf, otherShare, sharedByTwo, THIRD_FROM, takenOf } from './shading/crossedTones.js';
 import type { CutDirection, Field } from './shading/fieldAxis.js';
@@ -14,6 +15,7 @@ import {
   type CutFamilies,
   type CutReading,
   cutFamilies,
+  type FormAt,
   familyGradient,
   familyValue,
   type Lean,
@@ -60,32 +62,60 @@ export type FamilyName = (typeof FAMILIES)[number];
 const { ANY_OCTAVE } = FIELD_CONSTANTS;
 const { LEAST_TONE } = LINE_CONSTANTS;
 
-/** How the families of a surface are laid at one place. */
-interface Reading {
-  value: number;
-  gradient: Vec3;
-  rise: number;
-  coarsest: number;
+/** How the families of a surface share the tone at one place. */
+interface Shares {
+  /** Of the hand. */
   pressure: number;
   /** The share to which the first family has lines here, and the share of side B in what crosses. */
   firstShare: number;
   shareB: number;
 }
 
-/** A place, as far as all families share what is computed for it. */
-export interface EngravedPlace {
-  place: SurfacePlace;
-  /** Null for lines that follow the form. */
-  cut: CutReading | null;
-  smooth: ScreenMap;
-  flat: ScreenMap;
-  /** The screen map of the flat triangle, with the same limit at grazing angles as the smooth one. */
-  triangle: ScreenMap;
-  /** View units per pixel. */
-  unitsPerPixel: number;
+/** How a family is laid at one place. */
+interface Reading extends Shares {
+  value: number;
+  gradient: Vec3;
+  rise: number;
+  coarsest: number;
+}
+
+/** A place, as far as all families share what is computed for it. Screen maps of its triangle are computed when they are asked for. */
+export class EngravedPlace {
+  readonly smooth: ScreenMap;
   /** What was read here so far, of families and of the two functions of the form. */
-  readings: Partial<Record<FamilyName, Reading>>;
-  forms: [FormReading?, FormReading?];
+  readonly readings: Partial<Record<FamilyName, Reading>> = {};
+  readonly forms: [FormReading?, FormReading?] = [];
+  private knownFlat: ScreenMap | null = null;
+  private knownTriangle: ScreenMap | null = null;
+
+  /**
+   * @param cut null for lines that follow the form
+   * @param maps from view to field
+   */
+  constructor(
+    readonly place: SurfacePlace,
+    readonly cut: CutReading | null,
+    private readonly maps: PosedMaps,
+    private readonly seen: SeenPlace,
+  ) {
+    this.smooth = screenMap(place.fieldNormal, maps.smooth, seen);
+  }
+
+  /** View units per pixel. */
+  get unitsPerPixel(): number {
+    return this.seen.unitsPerPixel;
+  }
+
+  get flat(): ScreenMap {
+    this.knownFlat ??= screenMap(this.place.flatNormal, this.maps.flat, this.seen, true);
+    return this.knownFlat;
+  }
+
+  /** The screen map of the flat triangle, with the same limit at grazing angles as the smooth one. */
+  get triangle(): ScreenMap {
+    this.knownTriangle ??= screenMap(this.place.flatNormal, this.maps.flat, this.seen);
+    return this.knownTriangle;
+  }
 }
 
 /** One of the two functions of the form, and the pressure of the hand. */
@@ -149,17 +179,8 @@ export class Engraver {
     const { projection, viewToField, cut, look } = this;
     const unitsPerPixel = projection.unitsPerPixel(-place.view[2]);
     const seen: SeenPlace = { view: place.view, isOrthographic: projection.isOrthographic, unitsPerPixel };
-    const { smooth, flat } = place.posed ?? { smooth: viewToField, flat: viewToField };
-    return {
-      place,
-      cut: cut && readCut(cut, place.field, place.fieldNormal, look.irregularity),
-      smooth: screenMap(place.fieldNormal, smooth, seen),
-      flat: screenMap(place.flatNormal, flat, seen, true),
-      triangle: screenMap(place.flatNormal, flat, seen),
-      unitsPerPixel,
-      readings: {},
-      forms: [],
-    };
+    const maps = place.posed ?? { smooth: viewToField, flat: viewToField };
+    return new EngravedPlace(place, cut && readCut(cut, place.field, place.fieldNormal, look.irregularity), maps, seen);
   }
 
   valueAt(family: FamilyName, at: EngravedPlace): number {
@@ -167,7 +188,13 @@ export class Engraver {
   }
 
   gradientAt(family: FamilyName, at: EngravedPlace): Vec3 {
-    return this.read(family, at).gradient;
+    return at.readings[family]?.gradient ?? this.gradientOf(family, at);
+  }
+
+  /** The tone that a family prints at a place. */
+  toneAt(family: FamilyName, at: EngravedPlace, tones: Tones): number {
+    const shares = at.cut ?? this.sharesOfForm(at);
+    return handTone(shares.pressure, this.toneOf(family, shares, tones));
   }
 
   /** The change of a function per pixel on a flat triangle of a surface that does not deform. view: the place, view space. */
@@ -182,8 +209,8 @@ export class Engraver {
     const reading = this.read(family, at);
     const { spacing, technique, irregularity, hand } = this.look;
     const { smooth, flat, triangle } = at;
-    const { gradient, rise, coarsest, pressure } = reading;
-    const tone = handTone(pressure, this.toneOf(family, reading, tones));
+    const { gradient, rise, coarsest } = reading;
+    const tone = this.toneAt(family, at, tones);
     const spaced = spacedBy(changePerPixel(gradient, smooth), changePerPixel(gradient, triangle));
     const octave = octaveOf(spacing, rise, spaced, coarsest);
     const cutOctave = Math.min(octave + rowOctaves(Math.max(tone, tones.full)), coarsest);
@@ -202,7 +229,7 @@ export class Engraver {
   }
 
   /** The tone that a family prints, before the pressure of the hand. */
-  private toneOf(family: FamilyName, { firstShare, shareB }: Reading, tones: Tones): number {
+  private toneOf(family: FamilyName, { firstShare, shareB }: Shares, tones: Tones): number {
     const { crossFrom, crossesInShadows, technique } = this.look;
     const isPen = technique === 'pen';
     const taken = (tone: number, from: number) => (isPen ? takenOf(tone, from, KEPT_BY_PEN) : takenOf(tone, from));
@@ -264,30 +291,33 @@ export class Engraver {
   }
 
   private readingOf(family: FamilyName, at: EngravedPlace): Reading {
+    const gradient = this.gradientOf(family, at);
     const reading = at.cut;
     if (this.cut !== null && reading !== null) {
-      const lean = this.leans[family];
-      return {
-        ...reading,
-        value: familyValue(this.cut, reading, lean),
-        gradient: familyGradient(this.cut, reading, lean),
-        rise: family === 'first' ? riseOf(reading.slope) : 1,
-        coarsest: ANY_OCTAVE,
-      };
+      const { pressure, firstShare, shareB, slope } = reading;
+      const value = familyValue(this.cut, reading, this.leans[family]);
+      const rise = family === 'first' ? riseOf(slope) : 1;
+      return { value, gradient, rise, coarsest: ANY_OCTAVE, pressure, firstShare, shareB };
     }
+    const shares = this.sharesOfForm(at);
     const first = this.formAt(0, at);
-    const rest = { pressure: first.pressure, firstShare: 1, shareB: 1 };
-    if (family === 'first') return { ...first, ...rest };
+    if (family === 'first') return { ...first, gradient, ...shares };
     const other = this.formAt(1, at);
-    if (this.leans[family].sine >= 0) return { ...other, ...rest };
+    if (this.leans[family].sine >= 0) return { ...other, gradient, ...shares };
     // The difference of the two functions is whole across seams too, and its lines lean the other way.
-    return {
-      value: first.value - other.value,
-      gradient: combined(1, first.gradient, -1, other.gradient),
-      rise: other.rise,
-      coarsest: Math.min(first.coarsest, other.coarsest),
-      ...rest,
-    };
+    const [value, coarsest] = [first.value - other.value, Math.min(first.coarsest, other.coarsest)];
+    return { value, gradient, rise: other.rise, coarsest, ...shares };
+  }
+
+  private gradientOf(family: FamilyName, { cut, place }: EngravedPlace): Vec3 {
+    if (this.cut !== null && cut !== null) return familyGradient(this.cut, cut, this.leans[family]);
+    if (family === 'first') return this.formOf(0, place).gradient;
+    const other = this.formOf(1, place).gradient;
+    return this.leans[family].sine >= 0 ? other : combined(1, this.formOf(0, place).gradient, -1, other);
+  }
+
+  private sharesOfForm(at: EngravedPlace): Shares {
+    return { pressure: this.formAt(0, at).pressure, firstShare: 1, shareB: 1 };
   }
 
   /** One of the two functions of the form: the first family's, or the one that crosses it. */
@@ -296,17 +326,16 @@ export class Engraver {
     return at.forms[which];
   }
 
-  private readFunction(which: 0 | 1, { field, form, formCrossing }: SurfacePlace): FormReading {
-    const { irregularity, direction, technique } = this.look;
-    const index = direction === 'acrossForm' ? 1 - which : which;
-    const read = [form, formCrossing][index];
-    const { gradient } = read;
-    const coarsest = COARSEST_OCTAVES[index];
-    return {
-      ...readForm(read, field, irregularity, technique === 'engraving'),
-      gradient,
-      rise: lengthOf(gradient),
-      coarsest,
-    };
+  private readFunction(which: 0 | 1, place: SurfacePlace): FormReading {
+    const { irregularity, technique } = this.look;
+    const read = this.formOf(which, place);
+    const { value, pressure } = readForm(read, place.field, irregularity, technique === 'engraving');
+    const coarsest = COARSEST_OCTAVES[read === place.form ? 0 : 1];
+    return { value, pressure, gradient: read.gradient, rise: lengthOf(read.gradient), coarsest };
+  }
+
+  /** One of the two functions as it is baked: with lines across the form they change places. */
+  private formOf(which: 0 | 1, { form, formCrossing }: SurfacePlace): FormAt {
+    return (which === 1) === (this.look.direction === 'acrossForm') ? form : formCrossing;
   }
 }

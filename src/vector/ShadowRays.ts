@@ -80,6 +80,10 @@ function bundleOf(from: Vec3, normal: Vec3, towards: Vec3, length: number): Bund
 
 /** Computes the shadows of lamps by rays: hard, or as soft as those of the canvas' shadow maps. */
 export class ShadowRays {
+  /** The ray that is cast: where it starts, and its way. */
+  private readonly from: [number, number, number] = [0, 0, 0];
+  private readonly way: [number, number, number] = [0, 0, 0];
+
   /**
    * @param bias height above bodies at which rays start, world units
    * @param isSoft whether edges are soft; otherwise there is one ray per shadow
@@ -154,8 +158,8 @@ export class ShadowRays {
   }
 
   private isMet(bundle: Bundle, on: readonly [number, number], spread: number, opening: number, lift: number): boolean {
-    const { from, way } = rayOf(bundle, on, spread, opening);
-    return this.bvh.isShaded(from, way, lift, bundle.end);
+    this.aim(bundle, on, spread, opening);
+    return this.bvh.isShaded(this.from, this.way, lift, bundle.end);
   }
 
   /** The distance along a ray of the first occluder, as seen from the light, up to a reach. */
@@ -166,28 +170,29 @@ export class ShadowRays {
     opening: number,
     reach: number,
   ): number {
-    const { from, way } = rayOf(bundle, on, spread, opening);
+    this.aim(bundle, on, spread, opening);
+    const { from, way } = this;
     if (reach < bundle.end && this.bvh.isShaded(from, way, reach, bundle.end)) return reach;
     const met = this.bvh.firstCaster(combined(1, from, reach, way), combined(-1, way, 0, way), reach);
     return met < reach ? reach - met : 0;
   }
-}
 
-/** The ray through a point on the disc. */
-function rayOf(
-  { from, towards, end, side, up, besides, above }: Bundle,
-  [x, y]: readonly [number, number],
-  spread: number,
-  opening: number,
-): { from: Vec3; way: Vec3 } {
-  if (x === 0 && y === 0) return { from, way: towards };
-  const start = combined(spread * x, besides, spread * y, above);
-  const way = combined(opening * x, side, opening * y, up);
-  return {
-    from: combined(1, from, 1, start),
-    // All rays aim at the same lamp, wherever they start.
-    way: combined(1, combined(1, towards, 1, way), -1 / end, start),
-  };
+  /** Sets the ray to the one through a point on the disc. */
+  private aim(
+    { from, towards, end, side, up, besides, above }: Bundle,
+    on: readonly [number, number],
+    spread: number,
+    opening: number,
+  ): void {
+    const [x, y] = on;
+    for (let k = 0; k < 3; k++) {
+      const start = spread * x * besides[k] + spread * y * above[k];
+      const aside = opening * x * side[k] + opening * y * up[k];
+      this.from[k] = on === MIDDLE ? from[k] : from[k] + start;
+      // All rays aim at the same lamp, wherever they start.
+      this.way[k] = on === MIDDLE ? towards[k] : towards[k] + aside + (-1 / end) * start;
+    }
+  }
 }
 
 /** The width of a map across the light at a place, world units. */

@@ -68,6 +68,8 @@ const SHADED: ReceivedShadow = { passing: 0, left: 1 };
 /** Computes the tone of a surface under the lights of a scene. */
 export class ToneReader {
   private readonly rays: ShadowRays;
+  /** The look with the darkness of the paint at the last place. */
+  private readonly painted: SurfaceLook;
 
   constructor(
     private readonly look: SurfaceLook,
@@ -75,6 +77,7 @@ export class ToneReader {
     bvh: Bvh,
     private readonly projection: Projection,
   ) {
+    this.painted = { ...look };
     this.rays = new ShadowRays(bvh, light.bias, light.isSoft);
   }
 
@@ -135,7 +138,8 @@ export class ToneReader {
     const around = paint ? paint.open * (plain + paint.around) : plain;
     const emitted = paint?.emitted ?? look.emitted;
     const rest = sky * (around + (look.reflectedLight * reflected) / Math.PI) + emitted;
-    const painted = paint ? { ...look, darkness: paint.darkness } : look;
+    const { painted } = this;
+    painted.darkness = paint ? paint.darkness : look.darkness;
     const faded = look.fading === null ? 1 : fadingAt(look.fading, fadedPlace(world, projection));
     const weight = look.opacity * faded;
     const left = taken > 0 ? 1 - lost / taken : 1;

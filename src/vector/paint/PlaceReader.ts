@@ -1,4 +1,11 @@
-import { type LineSurface, placeFrom, placeOfVertex, readTriangle, type SurfacePlace } from '../LineSurface.js';
+import {
+  type FlatTriangle,
+  type LineSurface,
+  placeFrom,
+  placeOfVertex,
+  readTriangle,
+  type SurfacePlace,
+} from '../LineSurface.js';
 import type { Projection } from '../Projection.js';
 import { ColourReader } from './ColourReader.js';
 import { DetailReader } from './DetailReader.js';
@@ -13,6 +20,10 @@ export class PlaceReader {
   private readonly details: DetailReader | null;
   /** Null without textures and vertex colours that affect tone. */
   private readonly painter: ColourReader | null;
+
+  /** The triangle that was read last, since neighbouring places lie on the same. */
+  private last = -1;
+  private flat!: FlatTriangle;
 
   /** @param sides per triangle 1 if its front is visible, −1 if its back is */
   constructor(
@@ -43,7 +54,9 @@ export class PlaceReader {
 
   /** The place on a triangle with the given numbers. */
   read(numbers: ArrayLike<number>, triangle: number): SurfacePlace {
-    return this.withDetails(placeFrom(numbers, readTriangle(this.surface, triangle), this.sides[triangle]), triangle);
+    if (triangle !== this.last) this.flat = readTriangle(this.surface, triangle);
+    this.last = triangle;
+    return this.withDetails(placeFrom(numbers, this.flat, this.sides[triangle]), triangle);
   }
 
   /** The place of a vertex of a triangle. */

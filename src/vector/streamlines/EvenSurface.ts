@@ -1,4 +1,4 @@
-import { type Vec3, vectorAt } from '../../look/vectors.js';
+import { combined, cross, dot, type Vec3, vectorAt } from '../../look/vectors.js';
 import type { Bvh } from '../Bvh.js';
 import type { DrawnScene, EngravedSurface } from '../DrawnScene.js';
 import { Engraver } from '../Engraver.js';
@@ -62,29 +62,28 @@ export class EvenSurface {
   placeAt(x: number, y: number, triangle: number): SurfacePlace {
     const { surface } = this.drawn;
     const local = this.localOf[triangle - surface.parents[0]];
-    const weights = this.weightsAt(x, y, triangle);
+    const [a, b, c] = this.weightsAt(x, y, triangle);
     const { vertices, triangles } = surface;
-    this.numbers.fill(0);
-    for (let k = 0; k < 3; k++) {
-      const o = STRIDE * triangles[3 * local + k];
-      for (let n = 0; n < STRIDE; n++) this.numbers[n] += weights[k] * vertices[o + n];
-    }
+    const first = STRIDE * triangles[3 * local];
+    const second = STRIDE * triangles[3 * local + 1];
+    const third = STRIDE * triangles[3 * local + 2];
+    for (let n = 0; n < STRIDE; n++)
+      this.numbers[n] = a * vertices[first + n] + b * vertices[second + n] + c * vertices[third + n];
     return this.places.read(this.numbers, local);
   }
 
   /** The weights of the corners of a triangle where the ray through a pixel meets it (Möller and Trumbore, 1997). */
   private weightsAt(px: number, py: number, triangle: number): Vec3 {
     const { corners } = this.scene;
-    const { origin: o, direction: d } = this.projection.rayThrough(px, py);
-    const [a, b, c] = [0, 3, 6].map((k) => vectorAt(corners, 9 * triangle + k));
-    const [e1x, e1y, e1z] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    const [e2x, e2y, e2z] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-    const [hx, hy, hz] = [d[1] * e2z - d[2] * e2y, d[2] * e2x - d[0] * e2z, d[0] * e2y - d[1] * e2x];
-    const scale = 1 / (e1x * hx + e1y * hy + e1z * hz);
-    const [sx, sy, sz] = [o[0] - a[0], o[1] - a[1], o[2] - a[2]];
-    const u = scale * (sx * hx + sy * hy + sz * hz);
-    const [qx, qy, qz] = [sy * e1z - sz * e1y, sz * e1x - sx * e1z, sx * e1y - sy * e1x];
-    const v = scale * (d[0] * qx + d[1] * qy + d[2] * qz);
+    const { origin, direction } = this.projection.rayThrough(px, py);
+    const a = vectorAt(corners, 9 * triangle);
+    const toB = combined(1, vectorAt(corners, 9 * triangle + 3), -1, a);
+    const toC = combined(1, vectorAt(corners, 9 * triangle + 6), -1, a);
+    const across = cross(direction, toC);
+    const scale = 1 / dot(toB, across);
+    const from = combined(1, origin, -1, a);
+    const u = scale * dot(from, across);
+    const v = scale * dot(direction, cross(from, toB));
     return [1 - u - v, u, v];
   }
 

@@ -96,15 +96,20 @@ export class LineFields {
   look(set: number, x: number, y: number): void {
     const { columns, rows, size, kinds, joins } = this;
     const numbers = this.sets[set];
-    const [atX, atY] = [x / size, y / size];
-    const column = Math.min(Math.max(Math.floor(atX), 0), columns - 2);
-    const row = Math.min(Math.max(Math.floor(atY), 0), rows - 2);
-    const [u, v] = [atX - column, atY - row];
-    const [nearX, nearY] = [u > 0.5 ? 1 : 0, v > 0.5 ? 1 : 0];
+    const column = Math.min(Math.max(Math.floor(x / size), 0), columns - 2);
+    const row = Math.min(Math.max(Math.floor(y / size), 0), rows - 2);
+    const u = x / size - column;
+    const v = y / size - row;
+    const nearX = u > 0.5 ? 1 : 0;
+    const nearY = v > 0.5 ? 1 : 0;
     const first = row * columns + column;
     const isJoinedX = (joins[first + nearY * columns] & RIGHT) !== 0;
     const isJoinedY = (joins[first + nearX] & BELOW) !== 0;
-    let [tone, density, cosine, sine, sum] = [0, 0, 0, 0, 0];
+    let tone = 0;
+    let density = 0;
+    let cosine = 0;
+    let sine = 0;
+    let sum = 0;
     for (let j = 0; j < 2; j++) {
       if (j !== nearY && !isJoinedY) continue;
       for (let i = 0; i < 2; i++) {
@@ -145,16 +150,24 @@ export class LineFields {
       const surface = surfaces[owner];
       const place = surface.placeAt(x / sheet.scale, y / sheet.scale, triangle);
       const tones = surface.tonesAt(place, triangle);
-      const engraver = surface.engraver(surface.engraverIn(tones.turned));
+      const kind = surface.engraverIn(tones.turned);
+      const engraver = surface.engraver(kind);
       const at = engraver.at(place);
       const cell = row * columns + column;
-      kinds[cell] = KINDS * owner + surface.engraverIn(tones.turned);
-      normals.set(place.toneNormal, 3 * cell);
-      for (const [set, laid] of layTones(engraver, at, tones).entries()) {
+      kinds[cell] = KINDS * owner + kind;
+      for (let k = 0; k < 3; k++) normals[3 * cell + k] = place.toneNormal[k];
+      const lays = layTones(engraver, at, tones);
+      for (let set = 0; set < lays.length; set++) {
+        const laid = lays[set];
         if (!laid) continue;
         const [ux, uy] = uphillOnPicture(laid.gradient, at.smooth);
+        const numbers = sets[set];
+        const o = STRIDE * cell;
+        numbers[o] = laid.tone;
+        numbers[o + 1] = laid.density;
         // Lines run across the way uphill; twice their angle does not tell their two ways apart.
-        sets[set].set([laid.tone, laid.density, uy * uy - ux * ux, -2 * ux * uy], STRIDE * cell);
+        numbers[o + 2] = uy * uy - ux * ux;
+        numbers[o + 3] = -2 * ux * uy;
       }
     }
   }
@@ -191,13 +204,14 @@ export class LineFields {
         const below = joins[cell] & BELOW;
         const left = cell > 0 && joins[cell - 1] & RIGHT;
         const above = cell >= columns && joins[cell - columns] & BELOW;
+        const count = 2 + (right ? 1 : 0) + (left ? 1 : 0) + (below ? 1 : 0) + (above ? 1 : 0);
         for (let k = first; k < STRIDE; k++) {
           const o = STRIDE * cell + k;
-          let [sum, count] = [2 * before[o], 2];
-          if (right) [sum, count] = [sum + before[o + STRIDE], count + 1];
-          if (left) [sum, count] = [sum + before[o - STRIDE], count + 1];
-          if (below) [sum, count] = [sum + before[o + STRIDE * columns], count + 1];
-          if (above) [sum, count] = [sum + before[o - STRIDE * columns], count + 1];
+          let sum = 2 * before[o];
+          if (right) sum += before[o + STRIDE];
+          if (left) sum += before[o - STRIDE];
+          if (below) sum += before[o + STRIDE * columns];
+          if (above) sum += before[o - STRIDE * columns];
           set[o] = sum / count;
         }
       }

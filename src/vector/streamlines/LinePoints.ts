@@ -64,12 +64,15 @@ export class LinePoints {
   isTaken(x: number, y: number, radius: number): boolean {
     const { sheet, columns, heads, next } = this;
     const square = radius * radius;
-    const [left, right] = [this.columnOf(x - radius), this.columnOf(x + radius)];
-    const [top, bottom] = [this.rowOf(y - radius), this.rowOf(y + radius)];
+    const left = this.columnOf(x - radius);
+    const right = this.columnOf(x + radius);
+    const top = this.rowOf(y - radius);
+    const bottom = this.rowOf(y + radius);
     for (let row = top; row <= bottom; row++) {
       for (let column = left; column <= right; column++) {
         for (let i = heads[row * columns + column]; i !== NONE; i = next[i]) {
-          const [dx, dy] = [this.x[i] - x, this.y[i] - y];
+          const dx = this.x[i] - x;
+          const dy = this.y[i] - y;
           if (dx * dx + dy * dy < square && !sheet.isParted(x, y, this.x[i], this.y[i])) return true;
         }
       }
@@ -91,15 +94,29 @@ export class LinePoints {
    */
   gapsAt(i: number, reach: number, along: number): void {
     const { sheet, columns, heads, next } = this;
-    const [x, y, ux, uy] = [this.x[i], this.y[i], this.ux[i], this.uy[i]];
-    const [left, right] = [this.columnOf(x - reach), this.columnOf(x + reach)];
-    const [top, bottom] = [this.rowOf(y - reach), this.rowOf(y + reach)];
+    const x = this.x[i];
+    const y = this.y[i];
+    const ux = this.ux[i];
+    const uy = this.uy[i];
     const own = this.line[i];
     this.left = this.right = Infinity;
-    for (let row = top; row <= bottom; row++) {
-      for (let column = left; column <= right; column++) {
+    // Points lie in a strip across the line: of each row only the cells that it runs through are looked at.
+    const farX = Math.min(reach * Math.abs(uy) + along * Math.abs(ux) + ROUNDING, reach);
+    const farY = Math.min(reach * Math.abs(ux) + along * Math.abs(uy) + ROUNDING, reach);
+    const across = Math.abs(ux) > LEAST_SLANT ? 1 / ux : 0;
+    const half = across === 0 ? Infinity : Math.abs(along * across) + ROUNDING;
+    const bottom = this.rowOf(y + farY);
+    for (let row = this.rowOf(y - farY); row <= bottom; row++) {
+      // Cells at the edges of the grid hold all that lies beyond them.
+      const above = row === 0 ? -farY : Math.max(row * this.cell - y, -farY);
+      const below = row === this.rows - 1 ? farY : Math.min((row + 1) * this.cell - y, farY);
+      const fromX = -uy * across * above;
+      const toX = -uy * across * below;
+      const right = this.columnOf(x + Math.min(farX, Math.max(fromX, toX) + half));
+      for (let column = this.columnOf(x + Math.max(-farX, Math.min(fromX, toX) - half)); column <= right; column++) {
         for (let j = heads[row * columns + column]; j !== NONE; j = next[j]) {
-          const [dx, dy] = [this.x[j] - x, this.y[j] - y];
+          const dx = this.x[j] - x;
+          const dy = this.y[j] - y;
           if (Math.abs(dx * ux + dy * uy) > along) continue;
           const side = dy * ux - dx * uy;
           const gap = Math.abs(side);
@@ -107,8 +124,13 @@ export class LinePoints {
           if (Math.abs(this.ux[j] * ux + this.uy[j] * uy) < ALIKE) continue;
           if (this.line[j] === own && Math.abs(i - j) * along < NEAR_ITSELF * this.apart[i]) continue;
           if (sheet.isParted(x, y, this.x[j], this.y[j])) continue;
-          if (side > 0) [this.left, this.leftApart] = [gap, this.apart[j]];
-          else [this.right, this.rightApart] = [gap, this.apart[j]];
+          if (side > 0) {
+            this.left = gap;
+            this.leftApart = this.apart[j];
+          } else {
+            this.right = gap;
+            this.rightApart = this.apart[j];
+          }
         }
       }
     }
@@ -144,5 +166,8 @@ export class LinePoints {
 /** Points nearer than this are of the same place, millimetres; and the cosine from which on two lines count as parallel. */
 const LEAST_GAP = 0.05;
 const ALIKE = 0.8;
+/** Room for rounding, millimetres; and the least slant of a line for which its strip is cut row by row. */
+const ROUNDING = 1e-6;
+const LEAST_SLANT = 1e-3;
 /** A line that returns is its own neighbour after so many distances between lines. */
 const NEAR_ITSELF = 3;

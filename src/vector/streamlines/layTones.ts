@@ -1,6 +1,6 @@
 import { smoothstep, type Vec3 } from '../../look/vectors.js';
 import type { EngravedPlace, Engraver, FamilyName } from '../Engraver.js';
-import { drawnShareOf, type FamilyMeasure } from '../lineMarks.js';
+import { drawnShareOf } from '../lineMarks.js';
 import { leftOf, otherShare } from '../shading/crossedTones.js';
 import type { CutReading } from '../shading/lineFunctions.js';
 import type { Tones } from '../ToneReader.js';
@@ -76,12 +76,7 @@ function onDryPaper({ first, cross, third, shadow }: Record<LayName, number>): R
 /** The lines of every set at a place; null for sets that the surface does not have. */
 export function layTones(engraver: Engraver, at: EngravedPlace, tones: Tones): (LaidTone | null)[] {
   const { families } = engraver;
-  const measures: Partial<Record<FamilyName, FamilyMeasure>> = {};
-  const measureOf = (family: FamilyName): FamilyMeasure => {
-    measures[family] ??= engraver.measure(family, at, tones);
-    return measures[family];
-  };
-  const toneOf = (family: FamilyName): number => (families.includes(family) ? measureOf(family).tone : 0);
+  const toneOf = (family: FamilyName): number => (families.includes(family) ? engraver.toneAt(family, at, tones) : 0);
   const bothOf = (lay: 'cross' | 'third' | 'shadow'): number => over(toneOf(`${lay}B`), toneOf(`${lay}C`));
   const [first, cross] = [toneOf('first'), bothOf('cross')];
   // Where the first family runs along the surface, one set of lines has all of its tone.
@@ -96,7 +91,8 @@ export function layTones(engraver: Engraver, at: EngravedPlace, tones: Tones): (
     const family = familyOf(name, at.cut);
     if (!hasLay(engraver, name)) return null;
     const tone = of[name];
-    const density = tone / drawnShareOf({ ...measureOf(family), tone });
+    const isWhole = tone === 0 || engraver.technique === 'engraving';
+    const density = isWhole ? tone : tone / drawnShareOf({ ...engraver.measure(family, at, tones), tone });
     return { tone, density: Math.min(density, MOST), gradient: engraver.gradientAt(family, at) };
   });
 }
