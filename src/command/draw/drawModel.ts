@@ -32,6 +32,9 @@ const READ = 0.08;
 const JOINED = 0.25;
 const BAKED = 0.5;
 
+/** Steps in which progress is reported: a message for every slice of work would take a share of the time. */
+const STEPS = 500;
+
 /** At most this many missing things are named one by one. */
 const NAMED = 12;
 
@@ -49,7 +52,13 @@ export async function drawModel(
 ): Promise<boolean> {
   const name = basename(path);
   checkPens(options);
-  const progress = (stage: string, share: number): void => say({ kind: 'progress', stage, progress: share });
+  let last = { stage: '', step: 0 };
+  const progress = (stage: string, share: number): void => {
+    const step = Math.floor(STEPS * share);
+    if (stage === last.stage && step === last.step) return;
+    last = { stage, step };
+    say({ kind: 'progress', stage, progress: share });
+  };
   const note = (sentence: string): void => say({ kind: 'note', sentence });
   const surroundings = new NodeSurroundings(dirname(path));
   const file = { name, content: await contentOf(path, content), format: options.format };
