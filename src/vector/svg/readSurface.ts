@@ -41,26 +41,46 @@ export function* readSurface(
   const { geometry } = mesh;
   const vertexCount = geometry.attributes.position.count;
   const places = yield* asPhase(placesOfPose(geometry, posed), 0, 0.3);
-  const vertices = new Float64Array(STRIDE * vertexCount);
+  // A mesh of many parts has many more vertices than any part of it.
+  const inPart = numbered(corners, vertexCount);
+  const used = new Int32Array(inPart.count);
+  for (const vertex of corners) used[inPart.numbers[vertex]] = vertex;
+  const vertices = new Float64Array(STRIDE * used.length);
   const writer = new VertexWriter(geometry, posed, frame, vertices);
-  for (let v = 0; v < vertexCount; v++) {
-    if (v % CHUNK === 0) yield 0.3 + (0.7 * v) / vertexCount;
-    writer.write(v, places[v]);
+  for (let v = 0; v < used.length; v++) {
+    if (v % CHUNK === 0) yield 0.3 + (0.7 * v) / used.length;
+    writer.write(used[v], places[used[v]], STRIDE * v);
   }
+  const placesOfUsed = used.map((vertex) => places[vertex]);
+  const ofPlaces = numbered(placesOfUsed, vertexCount).numbers;
+  const triangles = new Int32Array(corners).map((vertex) => inPart.numbers[vertex]);
+  const details = readDetails(source, { corners, firstTriangle }, frame);
   const parents = new Int32Array(corners.length / 3);
   for (let t = 0; t < parents.length; t++) parents[t] = firstTriangle + t;
   yield 1;
   const viewToObject = new Matrix3().setFromMatrix4(frame.toView).invert();
   return {
     vertices,
-    placeOf: new Int32Array(places),
-    triangles: new Int32Array(corners),
+    placeOf: placesOfUsed.map((place) => ofPlaces[place]),
+    triangles,
     parents,
     drawsFront: (seen & SEEN_FRONT) !== 0,
     drawsBack: (seen & SEEN_BACK) !== 0,
     viewToField: rowsOf(new Matrix3().multiplyMatrices(frame.toField, viewToObject)),
-    details: readDetails(source, { corners, firstTriangle }, frame),
+    details: details && {
+      ...{ ...details, corners: triangles.slice() },
+      numbers: yield* perCorner(details.numbers, details.stride, used),
+    },
   };
+}
+
+/** Numbers the indices of a list in their order, which they keep; how many there are is the count. */
+function numbered(indices: ArrayLike<number>, end: number): { numbers: Int32Array; count: number } {
+  const numbers = new Int32Array(end);
+  for (let i = 0; i < indices.length; i++) numbers[indices[i]] = 1;
+  let count = 0;
+  for (let i = 0; i < end; i++) if (numbers[i] === 1) numbers[i] = count++;
+  return { numbers, count };
 }
 
 /** A pose may separate vertices that are at one place at rest, or join others: vertices share a place if they do in both. */
@@ -92,11 +112,13 @@ class VertexWriter {
     private readonly vertices: Float64Array,
   ) {}
 
-  /** @param place the vertex whose position all vertices at this place get */
-  write(vertex: number, place: number): void {
+  /**
+   * @param place the vertex whose position all vertices at this place get
+   * @param o offset at which its numbers are written
+   */
+  write(vertex: number, place: number, o: number): void {
     const { frame, posed, vector, vertices } = this;
     const { position, normal } = this.geometry.attributes;
-    const o = STRIDE * vertex;
     const put = (offset: number) => vector.toArray(vertices, o + offset);
     const at = () => vector.fromArray(posed.positions, 3 * place);
     at().applyMatrix4(frame.toWorld);
@@ -126,11 +148,11 @@ class VertexWriter {
     if (frame.isCutAsPosed && posed.toRest) vector.applyMatrix3(transposedAt(posed.toRest, vertex));
     vector.applyMatrix3(frame.normalToField).normalize();
     put(FIELD_NORMAL);
-    this.writeForm(vertex, atRest);
+    this.writeForm(vertex, atRest, o + FORM);
   }
 
   /** Lines that follow the form are fixed to the surface at rest. */
-  private writeForm(vertex: number, field: Vec3): void {
+  private writeForm(vertex: number, field: Vec3, offset: number): void {
     const { attributes } = this.geometry;
     const value = attributes[formLayout.value.name];
     if (!value) return;
@@ -140,7 +162,7 @@ class VertexWriter {
       this.vector.fromBufferAttribute(slope as BufferAttribute, vertex).applyMatrix3(this.frame.normalToField);
       const gradient = this.vector.multiplyScalar(scale).toArray() as Vec3;
       const { rest } = formVarying(gradient, value.getComponent(vertex, i), field);
-      const o = STRIDE * vertex + FORM + 4 * i;
+      const o = offset + 4 * i;
       for (let k = 0; k < 3; k++) this.vertices[o + k] = gradient[k];
       this.vertices[o + 3] = rest;
     }

@@ -33,6 +33,8 @@ const draw = (...meshes: Mesh[]) => drawSVG(sceneOf(...meshes), cameraAt(0, 0, 1
 /** The plane is 3 wide, of which the camera sees 2.13: boxes in its left and its right half. */
 const LEFT = [5, 5, 20, 50] as const;
 const RIGHT = [35, 5, 20, 50] as const;
+const UPPER = [5, 5, 50, 20] as const;
+const LOWER = [5, 35, 50, 20] as const;
 
 /** A texture from pixels row by row from below, grey and alpha from 0 to 255. */
 function textureOf(columns: number, pixels: readonly (readonly [grey: number, alpha: number])[]): DataTexture {
@@ -113,6 +115,24 @@ describe('a texture becomes tone', () => {
     const bottom = async (map: Texture) =>
       coverageOf(pathsOf((await draw(await painted({ map }))).svg), [10, 35, 40, 20]);
     expect(await bottom(upright)).toBeGreaterThan((await bottom(flipped)) + 0.2);
+  });
+
+  test('on a flat part of a mesh the same as on the whole mesh', async () => {
+    const map = textureOf(1, [
+      [0, 255],
+      [255, 255],
+    ]);
+    const [whole, part] = [await painted({ map, flatShading: true }), await painted({ map, flatShading: true })];
+    const count = (part.geometry.index ?? part.geometry.attributes.position).count;
+    part.geometry.clearGroups();
+    part.geometry.addGroup(0, count / 2, 0);
+    part.geometry.addGroup(count / 2, count / 2, 1);
+    const lower = part.material;
+    Object.assign(part, { material: [new MeshBasicMaterial({ visible: false }), lower] });
+    const [ofWhole, ofPart] = [pathsOf((await draw(whole)).svg), pathsOf((await draw(part)).svg)];
+    expect(coverageOf(ofPart, UPPER)).toBe(0);
+    expect(coverageOf(ofWhole, LOWER)).toBeGreaterThan(0.4);
+    expect(coverageOf(ofPart, LOWER)).toBeCloseTo(coverageOf(ofWhole, LOWER), 2);
   });
 
   test('stripes of 2 mm come out one by one, and those of 0.05 mm as their mean', { tags: ['all'] }, async () => {
