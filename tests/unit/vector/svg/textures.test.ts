@@ -117,23 +117,26 @@ describe('a texture becomes tone', () => {
     expect(await bottom(upright)).toBeGreaterThan((await bottom(flipped)) + 0.2);
   });
 
-  test('on a flat part of a mesh the same as on the whole mesh', async () => {
-    const map = textureOf(1, [
-      [0, 255],
-      [255, 255],
-    ]);
-    const [whole, part] = [await painted({ map, flatShading: true }), await painted({ map, flatShading: true })];
-    const count = (part.geometry.index ?? part.geometry.attributes.position).count;
-    part.geometry.clearGroups();
-    part.geometry.addGroup(0, count / 2, 0);
-    part.geometry.addGroup(count / 2, count / 2, 1);
-    const lower = part.material;
-    Object.assign(part, { material: [new MeshBasicMaterial({ visible: false }), lower] });
-    const [ofWhole, ofPart] = [pathsOf((await draw(whole)).svg), pathsOf((await draw(part)).svg)];
-    expect(coverageOf(ofPart, UPPER)).toBe(0);
-    expect(coverageOf(ofWhole, LOWER)).toBeGreaterThan(0.4);
-    expect(coverageOf(ofPart, LOWER)).toBeCloseTo(coverageOf(ofWhole, LOWER), 2);
-  });
+  test.each([true, false])(
+    'on a part of a mesh the same as on all of it, with flat shading: %s',
+    async (flatShading) => {
+      const map = textureOf(1, [
+        [0, 255],
+        [255, 255],
+      ]);
+      const [whole, part] = [await painted({ map, flatShading }), await painted({ map, flatShading })];
+      const count = (part.geometry.index ?? part.geometry.attributes.position).count;
+      part.geometry.clearGroups();
+      part.geometry.addGroup(0, count / 2, 0);
+      part.geometry.addGroup(count / 2, count / 2, 1);
+      const lower = part.material;
+      Object.assign(part, { material: [new MeshBasicMaterial({ visible: false }), lower] });
+      const [ofWhole, ofPart] = [pathsOf((await draw(whole)).svg), pathsOf((await draw(part)).svg)];
+      expect(coverageOf(ofPart, UPPER)).toBe(0);
+      expect(coverageOf(ofWhole, LOWER)).toBeGreaterThan(0.4);
+      expect(coverageOf(ofPart, LOWER)).toBeCloseTo(coverageOf(ofWhole, LOWER), 2);
+    },
+  );
 
   test('stripes of 2 mm come out one by one, and those of 0.05 mm as their mean', { tags: ['all'] }, async () => {
     // 60 mm show 71 of 100 pixels of the texture.
