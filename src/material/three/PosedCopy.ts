@@ -1,4 +1,4 @@
-/** Known in three.js 0.186 and 0.187: by which members of a mesh WebGPURenderer tells how to draw it. */
+/** Known in three.js 0.170 to 0.187: by which members of a mesh WebGPURenderer tells how to draw it. */
 import { type InstancedMesh, type Material, type Matrix4, Mesh, type Skeleton, type SkinnedMesh } from 'three';
 
 /** Draws the surface of a mesh with another material, in a scene of its own. Shares the geometry, the matrices and the pose. */
