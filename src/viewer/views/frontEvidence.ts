@@ -49,7 +49,7 @@ const WEIGHTS = {
   skew: 0.6,
   /** Slopes that face upwards, such as windscreens, seats and keyboards, are in front, but less so of animals. */
   slopes: 2.8,
-  ofAnimals: 0.8,
+  ofAnimals: 0.5,
   /** Of furniture and vehicles: bonnets, seats and steps are low and in front; backrests, cabs and cisterns are high and behind. */
   rise: 2.3,
   high: 0.6,
