@@ -23,23 +23,24 @@ export class PlotPreview {
   private readonly inkMap = findElement('plot-ink') as HTMLInputElement;
   private readonly large = findElement('plot-large') as HTMLInputElement;
   private readonly play = textButton('Play', () => this.playOrPause());
+  private readonly steps = [
+    this.play,
+    textButton('Back', () => this.goTo(this.place.valueAsNumber - 1), 'One path back'),
+    textButton('On', () => this.goTo(this.place.valueAsNumber + 1), 'One path on'),
+  ];
   private plot: Plot | undefined;
   /** The request of the next frame while the plot is played. */
   private frame = 0;
 
   /** @param onSaved called with a sentence after the file was saved */
   constructor(private readonly onSaved: (sentence: string) => void) {
-    findElement('plot-steps').append(
-      this.play,
-      textButton('Back', () => this.goTo(this.place.valueAsNumber - 1), 'One path back'),
-      textButton('On', () => this.goTo(this.place.valueAsNumber + 1), 'One path on'),
-    );
+    findElement('plot-steps').append(...this.steps);
     findElement('plot-actions').append(
       textButton('Save SVG', () => this.save()),
       textButton('Close', () => this.dialog.close()),
     );
     this.place.addEventListener('input', () => this.goTo(this.place.valueAsNumber));
-    this.inkMap.addEventListener('change', () => void this.refresh());
+    this.inkMap.addEventListener('change', () => this.showMapOrPlot());
     this.large.addEventListener('change', () => {
       this.scroller.classList.toggle('is-large', this.large.checked);
       const { scrollWidth, scrollHeight, clientWidth, clientHeight } = this.scroller;
@@ -61,6 +62,12 @@ export class PlotPreview {
     Object.assign(this.place, { max: String(sheet.count), value: String(sheet.count) });
     this.inkMap.checked = false;
     this.dialog.showModal();
+    this.showMapOrPlot();
+  }
+
+  /** Shows the ink map, all of it, or the plot, through which one can step. */
+  private showMapOrPlot(): void {
+    for (const control of [this.place, ...this.steps]) control.disabled = this.inkMap.checked;
     void this.refresh();
   }
 
@@ -69,10 +76,7 @@ export class PlotPreview {
     const { plot, place } = this;
     if (!plot) return;
     const { sheet, times } = plot;
-    const isMap = this.inkMap.checked;
-    for (const control of [place, ...findElement('plot-steps').querySelectorAll('button')])
-      (control as HTMLInputElement).disabled = isMap;
-    if (isMap) {
+    if (this.inkMap.checked) {
       this.pause();
       this.say('Counting how often pens pass over each place …');
       const wet = await sheet.showPasses();

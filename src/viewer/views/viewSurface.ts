@@ -1,4 +1,4 @@
-import { boundsOf, type MeshParts } from '../files/mesh/PlainMesh.js';
+import { boundsOf, type MeshParts, setFaceNormal } from '../files/mesh/PlainMesh.js';
 import type { UpAxis } from '../files/mesh/UpAxis.js';
 import { type Landmark, landmarksOf } from './landmarks.js';
 
@@ -173,12 +173,19 @@ function measured(
   const normals = new Float32Array(corners.length);
   const areas = new Float32Array(count);
   const sides = isSingleSided && new Uint8Array(count);
+  const face = new Float64Array(3);
   let kept = 0;
   let area = 0;
   for (let triangle = 0; triangle < count; triangle++) {
-    const twice = setNormal(normals, kept, positions, corners, 3 * triangle);
+    const a = 3 * corners[3 * triangle];
+    const b = 3 * corners[3 * triangle + 1];
+    const c = 3 * corners[3 * triangle + 2];
+    const twice = setFaceNormal(face, positions, a, b, c);
     if (!(twice > 1e-12)) continue;
-    for (let k = 0; k < 3; k++) indices[3 * kept + k] = corners[3 * triangle + k];
+    for (let k = 0; k < 3; k++) {
+      indices[3 * kept + k] = corners[3 * triangle + k];
+      normals[3 * kept + k] = face[k] / twice;
+    }
     areas[kept] = twice / 2;
     if (sides && isSingleSided) sides[kept] = isSingleSided[triangle];
     area += twice / 2;
@@ -196,31 +203,4 @@ function measured(
     halfHeight: half[1],
     halfWidth: Math.max(half[0], half[2]),
   };
-}
-
-/** Sets the unit normal of a triangle, and returns twice its area. @param triangle of the normals @param corner the first one */
-function setNormal(
-  normals: Float32Array,
-  triangle: number,
-  positions: Float32Array,
-  corners: Uint32Array,
-  corner: number,
-): number {
-  const a = 3 * corners[corner];
-  const b = 3 * corners[corner + 1];
-  const c = 3 * corners[corner + 2];
-  const ux = positions[b] - positions[a];
-  const uy = positions[b + 1] - positions[a + 1];
-  const uz = positions[b + 2] - positions[a + 2];
-  const vx = positions[c] - positions[a];
-  const vy = positions[c + 1] - positions[a + 1];
-  const vz = positions[c + 2] - positions[a + 2];
-  const x = uy * vz - uz * vy;
-  const y = uz * vx - ux * vz;
-  const z = ux * vy - uy * vx;
-  const length = Math.sqrt(x * x + y * y + z * z);
-  normals[3 * triangle] = x / length;
-  normals[3 * triangle + 1] = y / length;
-  normals[3 * triangle + 2] = z / length;
-  return length;
 }

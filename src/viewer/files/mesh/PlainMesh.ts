@@ -143,7 +143,17 @@ function isAreaLess(positions: ArrayLike<number>, indices: ArrayLike<number> | n
 }
 
 /** The area of a triangle. @param a offset of the first corner's coordinates, likewise `b` and `c` */
-export function areaOf(positions: ArrayLike<number>, a: number, b: number, c: number): number {
+export const areaOf = (positions: ArrayLike<number>, a: number, b: number, c: number): number =>
+  setFaceNormal(scratch, positions, a, b, c) / 2;
+
+const scratch = new Float64Array(3);
+
+/**
+ * Writes the normal of a triangle, as long as twice its area, and returns that length.
+ *
+ * @param a offset of the first corner's coordinates, likewise `b` and `c`
+ */
+export function setFaceNormal(to: Float64Array, positions: ArrayLike<number>, a: number, b: number, c: number): number {
   const ux = positions[b] - positions[a];
   const uy = positions[b + 1] - positions[a + 1];
   const uz = positions[b + 2] - positions[a + 2];
@@ -153,8 +163,11 @@ export function areaOf(positions: ArrayLike<number>, a: number, b: number, c: nu
   const x = uy * vz - uz * vy;
   const y = uz * vx - ux * vz;
   const z = ux * vy - uy * vx;
+  to[0] = x;
+  to[1] = y;
+  to[2] = z;
   // Math.hypot takes several times as long.
-  return Math.sqrt(x * x + y * y + z * z) / 2;
+  return Math.sqrt(x * x + y * y + z * z);
 }
 
 /** A model of radius 1 with less surface area than this is thinner than a pixel everywhere. */

@@ -1,4 +1,4 @@
-import { type PlainMesh, triangleCount } from './PlainMesh.js';
+import { type PlainMesh, setFaceNormal, triangleCount } from './PlainMesh.js';
 
 /** Meshes with fewer triangles bake so fast that a placeholder would only flicker. */
 const LEAST_TRIANGLES = 100_000;
@@ -31,28 +31,17 @@ export function meanNormals({ positions, normals, indices }: PlainMesh): Float32
   const cornerCount = indices?.length ?? positions.length / 3;
   if (normals && areAllSet(normals)) return normals;
   const sums = new Float32Array(positions.length);
+  const face = new Float64Array(3);
   for (let corner = 0; corner + 2 < cornerCount; corner += 3) {
     const a = 3 * (indices ? indices[corner] : corner);
     const b = 3 * (indices ? indices[corner + 1] : corner + 1);
     const c = 3 * (indices ? indices[corner + 2] : corner + 2);
-    const ux = positions[b] - positions[a];
-    const uy = positions[b + 1] - positions[a + 1];
-    const uz = positions[b + 2] - positions[a + 2];
-    const vx = positions[c] - positions[a];
-    const vy = positions[c + 1] - positions[a + 1];
-    const vz = positions[c + 2] - positions[a + 2];
-    const x = uy * vz - uz * vy;
-    const y = uz * vx - ux * vz;
-    const z = ux * vy - uy * vx;
-    sums[a] += x;
-    sums[a + 1] += y;
-    sums[a + 2] += z;
-    sums[b] += x;
-    sums[b + 1] += y;
-    sums[b + 2] += z;
-    sums[c] += x;
-    sums[c + 1] += y;
-    sums[c + 2] += z;
+    setFaceNormal(face, positions, a, b, c);
+    for (let k = 0; k < 3; k++) {
+      sums[a + k] += face[k];
+      sums[b + k] += face[k];
+      sums[c + k] += face[k];
+    }
   }
   for (let i = 0; i < sums.length; i += 3) {
     const length = Math.sqrt(sums[i] * sums[i] + sums[i + 1] * sums[i + 1] + sums[i + 2] * sums[i + 2]);
