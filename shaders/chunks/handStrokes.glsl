@@ -56,6 +56,9 @@ uniform sampler2D handStrokes;
 uniform vec4 handReach; // number of strokes, greatest offset and half width, and the share of a cell that the longest stroke fills
 // How much shorter strokes may be than the longest, and by how much of their distance rows are drawn together to bundles, as shares.
 uniform vec2 handRows;
+// Of a row whose strokes lie in two lanes: how far each lane lies to its side of the row, in distances between rows, and how far the cells of
+// the second are shifted, in cells. 0 for rows of one lane.
+uniform vec2 handLanes;
 
 // The cells of a family's rows.
 struct Cells {
@@ -139,7 +142,8 @@ Cells cellsFor(const in HatchingParameters h, const in Family family) {
   cells.period = powerOf2(floor(octave));
   // Strokes of one cell and of two have the wanted length in the mean.
   float wanted = clamp(powerOf2(octave) / cells.period, 1.0, 2.0);
-  float most = min(LONGEST_IN_PAIR * wanted, 2.0);
+  // Strokes of two lanes fill their cells evenly.
+  float most = handLanes.x > 0.0 ? 2.0 : min(LONGEST_IN_PAIR * wanted, 2.0);
   cells.paired = 2.0 * (wanted - 1.0) / (most + wanted - 2.0);
   cells.longest = 0.5 * most;
   return cells;
@@ -161,6 +165,8 @@ struct Row {
   float way; // −1 where rows are numbered, and run, the other way
   float hash, turn;
   uint bits;
+  uint ofLane; // differing bits of the second lane
+  float late; // by which its cells begin later, in cells
   vec2 born; // rank below which its strokes are there, and the range of ranks over which they grow
   float widening; // what is added to half widths
   #ifdef SHADOWS_ALONG_STROKES
@@ -201,7 +207,7 @@ float strokeCoverage(const in Row row, const in Cells cells, const in vec2 place
   float place = places[which];
   float share = which == 0 ? cells.share : 1.0 - cells.share;
   // Rows are shifted by chance: any rule would show where their strokes end.
-  float x = (row.way * place + strokeHash01(row.bits, 0.0) * cells.repeat) / cells.period;
+  float x = (row.way * place + strokeHash01(row.bits, 0.0) * cells.repeat) / cells.period - row.late;
   float most = cells.repeat / cells.period;
   float pair = floor(0.5 * x);
   // Each pair of strokes gives way to one twice as long at a moment of its own.
@@ -212,13 +218,14 @@ float strokeCoverage(const in Row row, const in Cells cells, const in vec2 place
   float cell = isPair ? pair : floor(x);
   float inCell = isPair ? 0.5 * x - pair : x - cell;
   float number = numberOfCell(cell, isPair ? 0.5 * most : most);
-  float chance = strokeHash01(row.bits, number);
+  float chance = strokeHash01(row.bits ^ row.ofLane, number);
   // Ranks are spread evenly over a surface: the first strokes lie on one of three neighbouring rows.
-  float rank = fract(row.turn + strokeHash01(uint(row.hash * 16777216.0) << 8u, number) / 3.0);
+  float rank = fract(row.turn + strokeHash01((uint(row.hash * 16777216.0) << 8u) ^ row.ofLane, number) / 3.0);
   there = min(there, ((1.0 + AXIS_TURN) * share - fract(AXIS_HASH * chance)) / AXIS_TURN);
   if (!(there > 0.0)) return 0.0;
   float size = handReach.w * (1.0 - handRows.x * fract(SIZE_HASH * chance)) * (isPair ? cells.longest : 1.0);
-  float t = (inCell - (1.0 - size) * fract(START_HASH * chance)) / size;
+  float start = mix(fract(START_HASH * chance), 0.5, handLanes.x > 0.0 ? LANE_STEADINESS : 0.0);
+  float t = (inCell - (1.0 - size) * start) / size;
   if (!(t > 0.0 && t < 1.0)) return 0.0;
   float aside = row.way * row.away;
   if (handRows.y > 0.0) {
@@ -305,11 +312,12 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
   #endif // SHADOWS_ALONG_STROKES
   float isDark = isFirst(h, family) ? 0.0 : 1.0;
   float x = family.value / period;
+  int lanes = handLanes.x > 0.0 ? 1 : 0; // beside the first
   float reach = (handReach.y + handReach.z + widest + FRINGE / spacing) / apart;
   float first = ceil(2.0 * (x - reach));
   float blank = 1.0;
-  for (int i = 0; i < MOST_ROWS; i++) {
-    float line = 0.5 * (first + float(i));
+  for (int i = 0; i < 2 * MOST_ROWS; i++) {
+    float line = 0.5 * (first + float(i >> lanes));
     if (!(line <= x + reach)) break;
     bool isYoung = fract(line) != 0.0;
     if (isYoung && !isYoungThere) continue;
@@ -323,11 +331,14 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
     Row row;
     row.number = number / period;
     row.apart = apart;
-    row.away = (x - line) * apart;
+    bool isSecond = (i & lanes) > 0;
+    row.away = (x - line) * apart + (isSecond ? -way : way) * handLanes.x;
     row.way = way;
     row.hash = hash01(number);
     row.turn = turnOf(number);
     row.bits = bitsOfLine(number);
+    row.ofLane = isSecond ? THIRD_FACTOR : 0u;
+    row.late = isSecond ? handLanes.y : 0.0;
     row.born = isYoung ? drawn.bornYoung : drawn.bornOld;
     row.widening = drawn.widening;
     #ifdef SHADOWS_ALONG_STROKES

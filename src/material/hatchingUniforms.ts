@@ -93,6 +93,7 @@ export function createHatchingUniforms(): Uniforms {
       // Strokes of a hand.
       handReach: { value: new Vector4() },
       handRows: { value: new Vector2() },
+      handLanes: { value: new Vector2() },
       handStrokes: { value: null },
       // Paper.
       toothMap: { value: null },

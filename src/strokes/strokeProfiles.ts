@@ -1,6 +1,6 @@
 import { runToEnd } from '../mesh/phases.js';
 import type { Hand, HandNumbers, SwatchTone } from './hand/Hand.js';
-import { HAND_TEXTURE, MOST_REACH } from './handConstants.js';
+import { HAND_STROKE_CONSTANTS, HAND_TEXTURE, MOST_REACH } from './handConstants.js';
 import { type PreparedHand, prepareHand } from './prepareHand.js';
 import { PROFILE_SAMPLES } from './Stroke.js';
 import { spreadOfBundles } from './strokeBundles.js';
@@ -46,6 +46,22 @@ const SHORTEST = 0.2;
 /** A stroke is never longer than its cell; this gap between two of a row keeps them apart. */
 const LEAST_GAP = 0.04;
 
+/** A hand whose strokes overlap by less than this share of their length has them end to end: tracing does not tell it from that. */
+const LEAST_OVERLAP = 0.04;
+
+/** The distance of the two lanes of a row whose strokes overlap, in mean widths of strokes, and at most, in distances between rows. */
+const LANE_WIDTHS = 1.6;
+const MOST_LANE_DISTANCE = 0.45;
+
+/**
+ * How far the cells of the second lane are shifted, of the step from a stroke to the next one of its row: more than a step between strokes
+ * of one cell, and less than one between strokes of two.
+ */
+const LANE_STEP = 4 / 3;
+
+/** The mean share of their length that strokes have, of which some give way to others twice as long. */
+const WHOLE = 1 - 0.5 * HAND_STROKE_CONSTANTS.PAIR_TURN;
+
 /** The order of swatches: strokes of light tones come first. */
 const SWATCHES: readonly SwatchTone[] = ['light', 'middle', 'dark'];
 
@@ -66,6 +82,12 @@ export interface StrokeProfiles {
   bundled: number;
   /** The greatest half width. */
   halfWidth: number;
+  /**
+   * Of rows whose strokes run beside each other, in two lanes: how far each lane lies to its side of the row, and how far the cells of the
+   * second are shifted, in cells. 0 for rows of one lane.
+   */
+  laneOffset: number;
+  laneShift: number;
   /** The distance between rows, and the length of a cell that holds one stroke, in millimetres. */
   spacing: number;
   cell: number;
@@ -83,10 +105,10 @@ export interface StrokeProfiles {
 export function strokeProfiles(hand: Hand): StrokeProfiles {
   const { shapes, numbers } = runToEnd(prepareHand(hand, 'HatchingMaterial', MOST_PROFILES));
   const chosen = chosenShapes(shapes);
-  const { filled, shorter } = cellOf(numbers);
-  const share = filled * (1 - 0.5 * shorter);
+  const { share, filled, shorter, lanes, laneShift } = cellOf(numbers);
   const meanWidth = numbers.width * meanOf(chosen, ({ width }) => meanOf([...width], (value) => value));
-  const spacing = Math.max(ROW_SPACING * numbers.spacing, (meanWidth * share) / MOST_INK);
+  const spacing = Math.max(ROW_SPACING * numbers.spacing, (lanes * meanWidth * share) / MOST_INK);
+  const laneOffset = lanes === 1 ? 0 : 0.5 * Math.min(MOST_LANE_DISTANCE, (LANE_WIDTHS * meanWidth) / spacing);
   const ofBundles = Math.max(0, numbers.clustering - CLUSTERING_OF_SPREAD * numbers.spacingSpread);
   const bundled = Math.min(MOST_BUNDLED, ofBundles);
   // Bundles have a spread of their own.
@@ -115,12 +137,12 @@ export function strokeProfiles(hand: Hand): StrokeProfiles {
     }
     offset = Math.max(offset, scale * most);
   }
-  const reach = offset + halfWidth + bundled;
+  const reach = offset + halfWidth + bundled + laneOffset;
   return {
     count,
     strokes,
-    tones: drawnTones(strokes, share, Math.min(MOST_WIDENING, MOST_REACH - reach), TONE_ROWS, bundled),
-    ...{ offset, halfWidth, bundled, spacing, filled, shorter },
+    tones: drawnTones(strokes, share, Math.min(MOST_WIDENING, MOST_REACH - reach), TONE_ROWS, bundled, laneOffset),
+    ...{ offset, halfWidth, bundled, laneOffset, laneShift, spacing, filled, shorter },
     cell: numbers.length / share,
   };
 }
@@ -144,12 +166,28 @@ function chosenShapes(shapes: readonly Shape[]): Shape[] {
   );
 }
 
-/** How a stroke fills its cell: the gap to the next, and the spread of lengths that cells do not have by themselves. */
-function cellOf({ overlap, lengthSpread }: HandNumbers): { filled: number; shorter: number } {
+/** How strokes fill the cells of a row. */
+interface FilledCells {
+  /** The share of a cell that its stroke fills in the mean, and at most. */
+  share: number;
+  filled: number;
+  /** How much shorter than the longest a stroke may be, as a share: the spread of lengths that cells do not have by themselves. */
+  shorter: number;
+  lanes: 1 | 2;
+  laneShift: number;
+}
+
+/** Strokes of one lane leave the gaps of the hand. Those of two fill more than half of their cells, and run beside each other. */
+function cellOf({ overlap, lengthSpread }: HandNumbers): FilledCells {
   const spread = Math.sqrt(Math.max(0, lengthSpread ** 2 - SPREAD_OF_CELLS ** 2));
   // A length uniform in [1 − s, 1] has the mean 1 − s / 2 and the deviation s / √12.
   const shorter = Math.min(1 - SHORTEST, (Math.sqrt(12) * spread) / (1 + Math.sqrt(3) * spread));
-  return { filled: 1 / (1 + Math.max(LEAST_GAP, -overlap)), shorter };
+  const mean = 1 - 0.5 * shorter;
+  const filled = 1 / (1 + Math.max(LEAST_GAP, -overlap));
+  if (overlap < LEAST_OVERLAP) return { share: filled * mean, filled, shorter, lanes: 1, laneShift: 0 };
+  // From an overlap of a half on strokes lie in pairs, whose second begins while the first is drawn.
+  const share = Math.min(filled * mean, 0.5 / Math.max(1 - overlap, 0.5) / WHOLE);
+  return { share, filled: share / mean, shorter, lanes: 2, laneShift: LANE_STEP * (1 - overlap) * share * WHOLE };
 }
 
 /** The bends of a stroke around their mean, with a part of its arc. */

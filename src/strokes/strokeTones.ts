@@ -33,6 +33,7 @@ const SHARES = 12;
  * @param widest the greatest widening
  * @param youngRows the number of shares of the young rows, from 0 to 1, for which tones are computed
  * @param bundled the share of their distance by which rows are drawn together to bundles
+ * @param laneOffset how far the two lanes of each row lie to its sides; 0 for rows of one lane
  */
 export function drawnTones(
   strokes: Float32Array,
@@ -40,6 +41,7 @@ export function drawnTones(
   widest: number,
   youngRows: number,
   bundled: number,
+  laneOffset: number,
 ): readonly (readonly DrawnTone[])[] {
   const widenings = Array.from({ length: WIDENINGS }, (_, i) => (widest * i) / (WIDENINGS - 1));
   const covers = widenings.map((widening) => coverAcross(strokes, filled, widening));
@@ -49,9 +51,10 @@ export function drawnTones(
     ...shares.map((share) => ({ share, widening: 0 })),
     ...widenings.map((widening) => ({ share: 1, widening })),
   ];
+  const lanes = laneOffset > 0 ? [-laneOffset, laneOffset] : [0];
   return Array.from({ length: youngRows }, (_, row) => {
     const young = row / (youngRows - 1);
-    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, young, bundled));
+    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, young, bundled, lanes));
     return Array.from({ length: PLACES }, (_, place) => drawnBetween(drawn, tones, place / (PLACES - 1)));
   });
 }
@@ -88,7 +91,7 @@ function coverAcross(strokes: Float32Array, filled: number, widening: number): F
 }
 
 /** The mean tone of rows, old ones 1 + young apart, with young ones between them of whose strokes that share is there. */
-function toneOf(cover: Float32Array, share: number, young: number, bundled: number): number {
+function toneOf(cover: Float32Array, share: number, young: number, bundled: number, lanes: readonly number[]): number {
   const apart = 1 + young;
   const most = Math.ceil((2 * REACH) / apart) + 1;
   const phases = (bundled > 0 ? BUNDLED_ROWS : 1) * PHASES;
@@ -100,8 +103,10 @@ function toneOf(cover: Float32Array, share: number, young: number, bundled: numb
     let left = 1;
     for (let half = first; half <= first + 4 * most + 2; half++) {
       const aside = asides[(half + most * asides.length) % asides.length];
-      const cell = Math.floor(((place - 0.5 * half) * apart - aside + REACH) * FINENESS);
-      if (cell >= 0 && cell < CELLS) left *= 1 - share * (half % 2 === 0 ? 1 : young) * cover[cell];
+      for (const lane of lanes) {
+        const cell = Math.floor(((place - 0.5 * half) * apart - aside - lane + REACH) * FINENESS);
+        if (cell >= 0 && cell < CELLS) left *= 1 - share * (half % 2 === 0 ? 1 : young) * cover[cell];
+      }
     }
     blank += left;
   }

@@ -270,7 +270,8 @@ export class Engraver {
     const { gradient, value, coarsest } = reading;
     const { strokeLength, spacing } = this.look;
     const seen = { map: smooth, unitsPerPixel };
-    const length = { strokeLength, screenSpaceShare: spacing.screenSpaceShare };
+    const hasLanes = profiles.laneOffset > 0;
+    const length = { strokeLength, screenSpaceShare: spacing.screenSpaceShare, hasLanes };
     const isFirst = value === this.valueAt('first', at);
     const isCut = this.cut !== null;
     return {

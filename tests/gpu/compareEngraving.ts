@@ -58,6 +58,8 @@ const handWith = (numbers: Partial<HandNumbers>): LineSettings['hand'] => ({
 });
 const hand = handWith({ crossingAngle: 55, crossingFrom: 0.4 });
 const handBack = handWith({ crossingAngle: -50, crossingFrom: 0.3, clustering: 0 });
+/** Strokes beside each other, in two lanes of a row. */
+const handBeside = handWith({ overlap: 0.35, crossingAngle: 70, crossingFrom: 0.5 });
 const handAlone = handWith({ crossingAngle: 0, length: 4, clustering: 0.9 });
 
 const formCases: readonly EngravedCase[] = [
@@ -77,6 +79,7 @@ const formCases: readonly EngravedCase[] = [
   { name: 'along the form, orthographic camera', isOrthographic: true },
   { name: 'along the form, with a pen', lines: { technique: 'pen', lineSpacing: 9 } },
   { name: 'along the form, with a hand', lines: { technique: 'pen', hand } },
+  { name: 'along the form, with strokes beside each other', lines: { technique: 'pen', hand: handBeside } },
   {
     name: 'across the form, with a hand that crosses back',
     lines: { technique: 'pen', hand: handBack, direction: 'acrossForm' },
@@ -112,6 +115,7 @@ const cases: EngravedCase[] = [
     matrixWorld: placed,
     lines: { technique: 'pen', direction: 'slant', crossFrom: 0.2, lineSpacing: 7 },
   },
+  { name: 'with strokes beside each other, aslant', lines: { technique: 'pen', hand: handBeside, direction: 'slant' } },
   { name: 'with a hand', matrixWorld: placed, lines: { technique: 'pen', hand } },
   { name: 'with a hand that crosses back, aslant', lines: { technique: 'pen', hand: handBack, direction: 'slant' } },
   {

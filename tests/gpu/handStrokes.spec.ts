@@ -165,12 +165,18 @@ test('strokes of a hand end at the hard edge of a shadow, and are not cut to fle
 });
 
 /** The luminance of the pixels of a wall in one tone, from 0 to 255. */
-const wallOf = (page: Page, hand: Hand, direction: 'x' | 'y' | 'form', tone: number): Promise<number[]> =>
+const wallOf = (
+  page: Page,
+  hand: Hand,
+  direction: 'x' | 'y' | 'form',
+  tone: number,
+  strokeWidth: number | null = null,
+): Promise<number[]> =>
   page.evaluate(
-    async ([hand, direction, tone, side]) => {
+    async ([hand, direction, tone, strokeWidth, side]) => {
       const { THREE, HatchingMaterial, makeRenderer, makeCamera, prepareHatchingGeometry, sceneOf, sun } =
         window.toolkit;
-      const look = { screenSpaceShare: 1, toneCurve: 'linear', reflectedLight: 0 } as const;
+      const look = { screenSpaceShare: 1, toneCurve: 'linear', reflectedLight: 0, strokeWidth } as const;
       const material = new HatchingMaterial({ technique: 'pen', direction, hand, ...look });
       await material.ready;
       const geometry = await prepareHatchingGeometry(new THREE.PlaneGeometry(4, 4, 8, 8), { form: true });
@@ -187,7 +193,7 @@ const wallOf = (page: Page, hand: Hand, direction: 'x' | 'y' | 'form', tone: num
       material.dispose();
       return Array.from({ length: side * side }, (_, i) => pixels[4 * i]);
     },
-    [hand, direction, tone, SIDE] as const,
+    [hand, direction, tone, strokeWidth, SIDE] as const,
   );
 
 /** How far strokes lean: from −1, all from the lower left to the upper right, to 1; 0 for those along the sides of the picture. */
@@ -238,6 +244,63 @@ test('strokes of a hand with clustering stand in bundles, in the same tone', asy
   expect(bundled.spread, measured).toBeGreaterThan(1.3 * even.spread);
   // The strokes of a bundle touch.
   expect(tight.mean, measured).toBeGreaterThan(1.7 * even.mean);
+});
+
+/** Strokes on a wall with level rows of a hand that has this overlap, as far as they are measured in pixels. */
+interface StrokesBeside {
+  darkness: number;
+  /** How much of the mean length lies beside the next stroke of the row, in the mean, and the mean length over the hand's. */
+  overlap: number;
+  length: number;
+}
+
+/** The tone in which strokes that are all there and not wider than drawn cover a wall, without overlap. */
+const FULL_TONE = 0.225;
+
+async function strokesBeside(page: Page, overlap: number, tone: number): Promise<StrokesBeside> {
+  const width = 5;
+  const { numbers } = hands.feltTip;
+  const ruled = { ...numbers, angleSpread: 0, wobble: 0, curvature: 0, spacingSpread: 0, lengthSpread: 0 };
+  const sized = { length: 3.2, width: 0.5, spacing: 4, clustering: 0, crossingFrom: 1 };
+  const hand = { ...hands.feltTip, numbers: { ...ruled, ...sized, overlap } };
+  const pixels = await wallOf(page, hand, 'y', tone, width);
+  const found = await page.evaluate(([pixels, side]) => window.toolkit.wholePieces(side, (i) => pixels[i] < 200), [
+    pixels,
+    SIDE,
+  ] as const);
+  const pieces = found.map((piece) => {
+    const xs = piece.map((i) => i % SIDE);
+    const y = piece.reduce((sum, i) => sum + Math.floor(i / SIDE), 0) / piece.length;
+    return { from: Math.min(...xs), to: Math.max(...xs) + 1, y };
+  });
+  const length = pieces.reduce((sum, { from, to }) => sum + to - from, 0) / pieces.length;
+  // Lanes of a row lie nearer to each other than two strokes are wide.
+  const gaps = pieces.flatMap(({ from, to, y }) => {
+    const after = pieces.filter((other) => Math.abs(other.y - y) < 2 * width && other.from > from);
+    const gap = Math.min(...after.map((other) => other.from)) - to;
+    // Where a stroke is missing none is the next.
+    return from + 3 * length < SIDE && gap < length ? [gap] : [];
+  });
+  return {
+    darkness: 1 - pixels.reduce((sum, one) => sum + one / 255, 0) / pixels.length,
+    overlap: -gaps.reduce((sum, gap) => sum + gap, 0) / gaps.length / length,
+    length: length / ((sized.length * width) / sized.width),
+  };
+}
+
+test('strokes of a hand run beside the next one of their row by its overlap, as long as ever and in the same tone', async ({
+  page,
+}) => {
+  const apart = await strokesBeside(page, -0.4, FULL_TONE / 1.4);
+  for (const overlap of [0.15, 0.3, 0.45]) {
+    const tone = FULL_TONE / (1 - overlap);
+    const found = await strokesBeside(page, overlap, tone);
+    const measured = `${overlap}: ${JSON.stringify(found)}`;
+    test.info().annotations.push({ type: 'measured', description: measured });
+    expect(Math.abs(found.darkness - tone), measured).toBeLessThan(0.035);
+    expect(Math.abs(found.overlap - overlap), measured).toBeLessThan(Math.max(0.15 * overlap, 0.04));
+    expect(Math.abs(found.length / apart.length - 1), measured).toBeLessThan(0.05);
+  }
 });
 
 for (const [direction, clockwise] of [

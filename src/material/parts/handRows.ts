@@ -21,9 +21,10 @@ export const part: Required<Pick<MaterialPart, 'checkHand' | 'profilesOf' | 'wri
     const drawn = textures.use(material, hand);
     if (!drawn) return;
     u.handStrokes.value = drawn.texture;
-    const { count, offset, halfWidth, bundled, filled, shorter, spacing, cell } = drawn.profiles;
-    u.handReach.value.set(count, offset + bundled, halfWidth, filled);
+    const { count, offset, halfWidth, bundled, laneOffset, laneShift, filled, shorter, spacing, cell } = drawn.profiles;
+    u.handReach.value.set(count, offset + bundled + laneOffset, halfWidth, filled);
     u.handRows.value.set(shorter, bundled);
+    u.handLanes.value.set(laneOffset, laneShift);
     const { width, crossingAngle, crossingFrom } = hand.numbers;
     const pixels = strokeWidth === null ? PIXELS_PER_MILLIMETRE : strokeWidth / width;
     const onScreen = pixels * pixelRatio ** screenSpaceShare;

@@ -17,10 +17,10 @@ import { axesAlong, axisOf, crossed, numberOf, type StrokeLength } from './strok
 const { PLACES, TONE_ROWS } = HAND_TEXTURE;
 const { PAIR_TURN, LONGEST_IN_PAIR, AXIS_RISE, ROW_SHIFT, GROWTH, GROWING, WIDE_FROM } = HAND_STROKE_CONSTANTS;
 const { WIDENED_ENDS, SIZE_HASH, START_HASH, SHAPE_HASH, SHAPES_OF_RANK } = HAND_STROKE_CONSTANTS;
-const { BUNDLED_ROWS, BUNDLE_CELLS } = HAND_STROKE_CONSTANTS;
+const { BUNDLED_ROWS, BUNDLE_CELLS, LANE_STEADINESS } = HAND_STROKE_CONSTANTS;
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 const { AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
-const { SECOND_FACTOR } = HASH_FACTORS;
+const { SECOND_FACTOR, THIRD_FACTOR } = HASH_FACTORS;
 
 type Pair = readonly [number, number];
 
@@ -65,6 +65,11 @@ export interface SeenRows {
   unitsPerPixel: number;
 }
 
+/** The length of a cell, and whether rows have two lanes of them. */
+interface CellLength extends StrokeLength {
+  hasLanes: boolean;
+}
+
 /** How a function changes at a place. */
 export interface FunctionAt {
   value: number;
@@ -82,7 +87,7 @@ export interface FunctionAt {
  * @param gradient of the family's function
  * @param along the function that tells the place along a row
  */
-export function cellsAlongForm(gradient: Vec3, along: FunctionAt, seen: SeenRows, length: StrokeLength): Cells {
+export function cellsAlongForm(gradient: Vec3, along: FunctionAt, seen: SeenRows, length: CellLength): Cells {
   const coordinates = [{ id: 0, place: along.value, share: 1, gradient: along.gradient }];
   const seams = { repeat: powerOf2(along.coarsest), hasSeams: true };
   return { ...seams, ...cellsFor(gradient, coordinates, along.rise, seen, length) };
@@ -94,7 +99,7 @@ export function cellsAlongForm(gradient: Vec3, along: FunctionAt, seen: SeenRows
  * @param gradient of the family's function
  * @param place and `normal` in field space
  */
-export function cellsAlongAxes(gradient: Vec3, place: Vec3, normal: Vec3, seen: SeenRows, length: StrokeLength): Cells {
+export function cellsAlongAxes(gradient: Vec3, place: Vec3, normal: Vec3, seen: SeenRows, length: CellLength): Cells {
   const { first, second, share } = axesAlong(normal, gradient);
   const coordinates = [
     { id: first, place: place[first], share, gradient: axisOf(first) },
@@ -108,7 +113,7 @@ function cellsFor(
   along: readonly { id: number; place: number; share: number; gradient: Vec3 }[],
   rise: number,
   { map, unitsPerPixel }: SeenRows,
-  { strokeLength, screenSpaceShare }: StrokeLength,
+  { strokeLength, screenSpaceShare, hasLanes }: CellLength,
 ): Omit<Cells, 'repeat' | 'hasSeams'> {
   // The length of a stroke does not depend on the slant at which it is seen, so that no stroke is cut where the form turns away.
   const [x, y, z] = map.viewToPlace;
@@ -138,7 +143,8 @@ function cellsFor(
   const period = powerOf2(Math.floor(octave));
   // Strokes of one cell and of two have the wanted length in the mean.
   const wanted = Math.min(Math.max(powerOf2(octave) / period, 1), 2);
-  const most = Math.min(LONGEST_IN_PAIR * wanted, 2);
+  // Strokes of two lanes fill their cells evenly.
+  const most = hasLanes ? 2 : Math.min(LONGEST_IN_PAIR * wanted, 2);
   const stepAcross = stepInView(
     [onScreen[0] / Math.max(size * size, 1e-24), onScreen[1] / Math.max(size * size, 1e-24)],
     map,
@@ -249,10 +255,17 @@ export function rowsFor(
   };
 }
 
+/** The two lanes of a row whose strokes run beside each other; the first is that of other rows. */
+type Lane = 0 | 1;
+
+const ONE_LANE: readonly Lane[] = [0];
+const TWO_LANES: readonly Lane[] = [0, 1];
+
 /** A stroke of a row where a pixel sees it. */
 export interface RowStroke {
-  /** Its coordinate along the row, the length of its cell, and the number of the cell. */
+  /** Its coordinate along the row, its lane, the length of its cell, and the number of the cell. */
   coordinate: number;
+  lane: Lane;
   length: number;
   cell: number;
   /** The place along it, from 0 to 1. */
@@ -264,7 +277,7 @@ export interface RowStroke {
 
 /** Whether two strokes of a row have the same cell. */
 export const isSameCell = (a: RowStroke, b: RowStroke): boolean =>
-  a.cell === b.cell && a.length === b.length && a.coordinate === b.coordinate;
+  a.cell === b.cell && a.length === b.length && a.coordinate === b.coordinate && a.lane === b.lane;
 
 /** Whether two places lie on the same stroke. Cells of a short repeat have the same number in turn, so the place along it counts too. */
 export const isSameStroke = (a: RowStroke, b: RowStroke): boolean => isSameCell(a, b) && Math.abs(a.t - b.t) < 0.5;
@@ -285,7 +298,7 @@ interface Row {
 }
 
 /**
- * The strokes of a row nearest to a place, at most one for each coordinate.
+ * The strokes of a row nearest to a place, at most one for each coordinate and lane.
  *
  * @param line the value of the row
  * @param beyond how far before the start and after the end of a stroke it still counts, as a share of its length; it has no width there
@@ -313,25 +326,29 @@ export function strokesOnRow(rows: Rows, line: number, beyond = 0): RowStroke[] 
   for (const coordinate of cells.coordinates) {
     // The place of the nearest point of the row: strokes end straight across their rows.
     const nearest = coordinate.place - coordinate.askew * (value - line);
-    const stroke = strokeOn(rows, row, { ...coordinate, place: nearest }, beyond);
-    if (stroke) strokes.push(stroke);
+    for (const lane of rows.profiles.laneOffset > 0 ? TWO_LANES : ONE_LANE) {
+      const stroke = strokeOn(rows, row, { ...coordinate, place: nearest }, lane, beyond);
+      if (stroke) strokes.push(stroke);
+    }
   }
   return strokes;
 }
 
 const grownAt = ([below, range]: Pair, rank: number): number => clamp01((below - rank) / range);
 
-/** The stroke of a row at one of the coordinates along it; undefined for none. */
+/** The stroke of a lane of a row at one of the coordinates along it; undefined for none. */
 function strokeOn(
   rows: Rows,
   row: Row,
   { id, place, share, perPixel, step }: RowCoordinate,
+  lane: Lane,
   beyond: number,
 ): RowStroke | undefined {
   const { profiles, cells, apart, spacing, isDark } = rows;
-  const { count, filled, shorter, bundled } = profiles;
+  const { count, filled, shorter, bundled, laneOffset, laneShift } = profiles;
+  const ofLane = lane * THIRD_FACTOR;
   // Rows are shifted by chance: any rule would show where their strokes end.
-  const x = (row.way * place + strokeHash01(row.bits, 0) * cells.repeat) / cells.period;
+  const x = (row.way * place + strokeHash01(row.bits, 0) * cells.repeat) / cells.period - lane * laneShift;
   const most = cells.repeat / cells.period;
   const pair = Math.floor(0.5 * x);
   // Each pair of strokes gives way to one twice as long at a moment of its own.
@@ -342,9 +359,9 @@ function strokeOn(
   const inCell = isPair ? 0.5 * x - pair : x - cell;
   const repeat = isPair ? 0.5 * most : most;
   const number = numberOfCell(cell, cells, repeat);
-  const chance = strokeHash01(row.bits, number);
+  const chance = strokeHash01(row.bits ^ ofLane, number);
   // Ranks are spread evenly over a surface: the first strokes lie on one of three neighbouring rows.
-  const rank = fract(row.turn + strokeHash01(row.hash * 2 ** 32, number) / 3);
+  const rank = fract(row.turn + strokeHash01((row.hash * 2 ** 32) ^ ofLane, number) / 3);
   const greatest = Math.min(
     clamp01(isPair ? 2 * turned - 1 : 1 - 2 * turned),
     ((1 + AXIS_TURN) * share - fract(AXIS_HASH * chance)) / AXIS_TURN,
@@ -352,7 +369,8 @@ function strokeOn(
   if (!(greatest > 0)) return undefined;
   const size = filled * (1 - shorter * fract(SIZE_HASH * chance)) * (isPair ? cells.longest : 1);
   const length = (isPair ? 2 : 1) * cells.period;
-  const inFull = (inCell - (1 - size) * fract(START_HASH * chance)) / size;
+  const begin = mix(fract(START_HASH * chance), 0.5, laneOffset > 0 ? LANE_STEADINESS : 0);
+  const inFull = (inCell - (1 - size) * begin) / size;
   if (!(inFull > -beyond && inFull < 1 + beyond)) return undefined;
   const { grown, start, end, widening } = grownPart(rows, row, rank, (at) =>
     combined(1, row.middle, row.way * size * length * (at - inFull), step),
@@ -364,14 +382,14 @@ function strokeOn(
   if (!(t > -beyond && t < 1 + beyond)) return undefined;
   const chosen = mix(0.5 * isDark, 1, rank) * (1 - SHAPES_OF_RANK) + SHAPES_OF_RANK * fract(SHAPE_HASH * chance);
   const shape = Math.min(Math.floor(count * chosen), count - 1);
-  let aside = 0;
+  let aside = lane === 0 ? -laneOffset : laneOffset;
   if (bundled > 0) {
     // Strokes side by side are of one bundle, and others farther along: no gap runs all along the rows.
     const along = Math.floor((cell + 0.5 - strokeHash01(row.bits, 0) * repeat) / BUNDLE_CELLS);
     const lot = Math.floor(
       BUNDLED_ROWS * strokeHash01(SECOND_FACTOR, numberOfCell(along, cells, repeat / BUNDLE_CELLS)),
     );
-    aside = bundledAside(row.number, apart, bundled, lot);
+    aside += bundledAside(row.number, apart, bundled, lot);
   }
   const [offset, width] = profileAt(profiles.strokes, shape, clamp01(t));
   const fromEnd = Math.max(Math.min(t, 1 - t), 0);
@@ -379,7 +397,7 @@ function strokeOn(
   // Blunt ends are round, as the tip of a pen leaves them.
   const cap = Math.max(1 - (fromEnd * there * (end - start) * size * length) / perPixel / Math.max(halfWidth, 0.5), 0);
   return {
-    ...{ coordinate: id, length, cell: number, t },
+    ...{ coordinate: id, lane, length, cell: number, t },
     shift: row.way * (aside + offset) * spacing,
     half: halfWidth * Math.sqrt(Math.max(1 - cap * cap, 0)),
   };

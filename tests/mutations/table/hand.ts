@@ -68,6 +68,17 @@ export const hand: readonly Mutation[] = [
     },
   },
   {
+    name: 'strokes of a hand that run beside each other lie end to end',
+    file: 'shaders/chunks/handStrokes.glsl',
+    find: 'row.late = isSecond ? handLanes.y : 0.0;',
+    replace: 'row.late = 0.0;',
+    caughtBy: {
+      layer: 'gpu',
+      file: 'tests/gpu/handStrokes.spec.ts',
+      title: 'strokes of a hand run beside the next one of their row by its overlap',
+    },
+  },
+  {
     name: 'strokes of a hand lie on their rows in vector files',
     file: 'src/vector/shading/handStrokes.ts',
     find: 'row.way * (aside + offset) * spacing',

@@ -87,6 +87,18 @@ describe('the numbers of a hand hold', () => {
     expect(strokeProfiles(changed(hand, { overlap: -0.5 })).filled).toBeCloseTo(1 / 1.5, 5);
   });
 
+  test('overlap: rows of two lanes, whose strokes are as long as others', () => {
+    const { cell, filled, shorter, laneOffset, laneShift } = strokeProfiles(changed(hand, { overlap: 0.3 }));
+    expect(cell * filled * (1 - 0.5 * shorter)).toBeCloseTo(hand.numbers.length, 5);
+    expect(filled).toBeGreaterThan(0.5 / 0.7);
+    expect(laneOffset).toBeGreaterThan(0);
+    expect(laneShift).toBeCloseTo(2 / 3, 5);
+    const together = strokeProfiles(changed(hand, { overlap: 1 }));
+    expect(together.filled).toBeGreaterThan(0.9);
+    expect(together.laneShift).toBe(0);
+    for (const overlap of [-2, 0, 0.03]) expect(strokeProfiles(changed(hand, { overlap })).laneOffset).toBe(0);
+  });
+
   test('clustering: what uneven distances alone do not have is that of bundles', () => {
     const bundledAt = (clustering: number, spacingSpread: number): number =>
       strokeProfiles(changed(hand, { clustering, spacingSpread })).bundled;
@@ -142,13 +154,14 @@ test.each([
       clustering: 1,
     }),
   ],
+  ['strokes beside each other', changed(learnHand(rows(5)), { width: 3, spacing: 2, clustering: 1, overlap: 1 })],
 ])('%s stay within the texture and near their rows', (_name, hand) => {
-  const { count, strokes, offset, halfWidth, bundled, tones } = strokeProfiles(hand);
+  const { count, strokes, offset, halfWidth, bundled, laneOffset, tones } = strokeProfiles(hand);
   expect(count).toBeLessThanOrEqual(MOST_PROFILES);
   expect(strokes).toHaveLength(2 * PLACES * count);
   expect(strokes.every(Number.isFinite)).toBe(true);
   const widest = Math.max(...tones.flat().map(({ widening }) => widening));
-  expect(offset + halfWidth + bundled + widest).toBeLessThanOrEqual(MOST_REACH + 1e-6);
+  expect(offset + halfWidth + bundled + laneOffset + widest).toBeLessThanOrEqual(MOST_REACH + 1e-6);
 });
 
 test('a stroke is found among thousands of dots', () => {

@@ -56,6 +56,10 @@ export const cases: readonly SceneCase[] = [
       drawn(kit, { hand: handOf('reedPen', { clustering: 0.8 }), direction: 'slant', screenSpaceShare: 1 }),
   },
   {
+    name: 'strokes beside each other along the form, sized on the screen',
+    show: (kit) => formed(kit, { hand: handOf('finePen', { overlap: 0.4 }), screenSpaceShare: 1 }),
+  },
+  {
     name: 'a needle along an axis, in lights',
     async show(kit) {
       return lit(await drawn(kit, { hand: handOf('etchingNeedle'), direction: 'x', strokeWidth: 1 }), 5);

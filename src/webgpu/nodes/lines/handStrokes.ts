@@ -33,10 +33,11 @@ const { abs, Break, ceil, clamp, dot, float, floor, fract, If, int, length, Loop
 const { sqrt, uint, vec2, vec3 } = tsl;
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 const { AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
-const { SECOND_FACTOR } = HASH_FACTORS;
+const { SECOND_FACTOR, THIRD_FACTOR } = HASH_FACTORS;
 const { HAND_ROWS, PLACES, TONE_ROWS } = HAND_TEXTURE;
 const { AXIS_RISE, BUNDLE_CELLS, BUNDLED_ROWS, GROWING, GROWTH, LONGEST_IN_PAIR, PAIR_TURN } = HAND_STROKE_CONSTANTS;
-const { ROW_SHIFT, SHAPE_HASH, SHAPES_OF_RANK, SIZE_HASH, START_HASH, WIDE_FROM, WIDENED_ENDS } = HAND_STROKE_CONSTANTS;
+const { LANE_STEADINESS, ROW_SHIFT, SHAPE_HASH, SHAPES_OF_RANK, SIZE_HASH, START_HASH, WIDE_FROM, WIDENED_ENDS } =
+  HAND_STROKE_CONSTANTS;
 
 /** Placeholder with the format and the filter that the texture of a hand has. */
 function blankStrokes(): DataTexture {
@@ -49,6 +50,7 @@ function blankStrokes(): DataTexture {
 const handStrokes = /* @__PURE__ */ hatchingTexture('handStrokes', /* @__PURE__ */ blankStrokes());
 const handReach = /* @__PURE__ */ hatchingUniform('handReach', 'vec4');
 const handRows = /* @__PURE__ */ hatchingUniform('handRows', 'vec2');
+const handLanes = /* @__PURE__ */ hatchingUniform('handLanes', 'vec2');
 
 /** @param column, row texels of the hand's texture */
 const texelAt = (column: Value, row: Value): Value =>
@@ -131,7 +133,8 @@ function cellsFor(h: HatchingParameters, family: Family): Cells {
   const period = powerOf2(floor(octave)).toVar();
   // Strokes of one cell and of two have the wanted length in the mean.
   const wanted = clamp(powerOf2(octave).div(period), 1, 2).toVar();
-  const most = min(wanted.mul(LONGEST_IN_PAIR), 2).toVar();
+  // Strokes of two lanes fill their cells evenly.
+  const most = select(handLanes.x.greaterThan(0), float(2), min(wanted.mul(LONGEST_IN_PAIR), 2)).toVar();
   const paired = wanted.sub(1).mul(2).div(most.add(wanted).sub(2)).toVar();
   const { isOfForm } = family;
   return { places, share, repeat, period, paired, longest: most.mul(0.5).toVar(), perPixelOfRow, askew, isOfForm };
@@ -162,6 +165,9 @@ interface Row {
   hash: Value;
   turn: Value;
   bits: Value;
+  /** Differing bits of the second lane, and by how many cells its cells begin later. */
+  ofLane: Value;
+  late: Value;
   /** Rank below which its strokes are there, and the range of ranks over which they grow. */
   born: Value;
   /** What is added to half widths. */
@@ -206,7 +212,7 @@ function strokeCoverage(
   const covered = float(0).toVar();
   // Rows are shifted by chance: any rule would show where their strokes end.
   const shift = strokeHash01(row.bits, float(0));
-  const x = row.way.mul(place).add(shift.mul(repeat)).div(period).toVar();
+  const x = row.way.mul(place).add(shift.mul(repeat)).div(period).sub(row.late).toVar();
   const most = repeat.div(period).toVar();
   const half = most.mul(0.5).toVar();
   const pair = floor(x.mul(0.5)).toVar();
@@ -223,9 +229,9 @@ function strokeCoverage(
   const inCell = select(isPair, x.mul(0.5).sub(pair), x.sub(cell)).toVar();
   const repeatOfCell = select(isPair, half, most).toVar();
   const number = numberOfCell(cell, repeatOfCell, isOfForm);
-  const chance = strokeHash01(row.bits, number);
+  const chance = strokeHash01(row.bits.bitXor(row.ofLane), number);
   // Ranks are spread evenly over a surface: the first strokes lie on one of three neighbouring rows.
-  const even = strokeHash01(uint(row.hash.mul(16777216)).shiftLeft(uint(8)), number);
+  const even = strokeHash01(uint(row.hash.mul(16777216)).shiftLeft(uint(8)).bitXor(row.ofLane), number);
   const rank = fract(row.turn.add(even.div(3))).toVar();
   const onAxis = share
     .mul(1 + AXIS_TURN)
@@ -237,7 +243,8 @@ function strokeCoverage(
     .mul(shorter.oneMinus())
     .mul(select(isPair, cells.longest, float(1)))
     .toVar();
-  const begin = size.oneMinus().mul(fract(chance.mul(START_HASH)));
+  const steadiness = select(handLanes.x.greaterThan(0), float(LANE_STEADINESS), float(0));
+  const begin = size.oneMinus().mul(mix(fract(chance.mul(START_HASH)), 0.5, steadiness));
   // A stroke that is not there in full is shorter, and ends as the hand ends it.
   const t = inCell.sub(begin).div(size).sub(0.5).div(there).add(0.5).toVar();
   If(there.greaterThan(0).and(t.greaterThan(0)).and(t.lessThan(1)), () => {
@@ -309,10 +316,13 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value): 
   const widest = handReach.y.add(handReach.z).add(drawn.widening);
   const reach = widest.add(float(FRINGE).div(spacing)).div(apart).toVar();
   const first = ceil(x.sub(reach).mul(2)).toVar();
+  const lanes = select(handLanes.x.greaterThan(0), int(2), int(1)).toVar();
   const last = x.add(reach).toVar();
   const blank = float(1).toVar();
-  Loop({ start: int(0), end: int(MOST_ROWS), type: 'int', condition: '<' }, ({ i }) => {
-    const line = first.add(float(i)).mul(0.5).toVar();
+  Loop({ start: int(0), end: int(2 * MOST_ROWS), type: 'int', condition: '<' }, ({ i }) => {
+    const nth = i.div(lanes).toVar();
+    const isSecond = i.sub(nth.mul(lanes)).greaterThan(int(0)).toVar();
+    const line = first.add(float(nth)).mul(0.5).toVar();
     If(line.lessThanEqual(last).not(), () => {
       Break();
     });
@@ -325,10 +335,15 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value): 
       const row: Row = {
         ...{ apart, way, widening: drawn.widening },
         number: number.div(period).toVar(),
-        away: aside.mul(apart).toVar(),
+        away: aside
+          .mul(apart)
+          .add(select(isSecond, way.negate(), way).mul(handLanes.x))
+          .toVar(),
         hash: hash01(number).toVar(),
         turn: turnOf(number),
         bits: bitsOfLine(number),
+        ofLane: select(isSecond, uint(THIRD_FACTOR), uint(0)).toVar(),
+        late: select(isSecond, handLanes.y, float(0)).toVar(),
         born: select(isYoung, drawn.bornYoung, drawn.bornOld).toVar(),
       };
       // The places of the nearest point of the row: strokes end straight across their rows.

@@ -1,6 +1,8 @@
 import { expect, test } from 'vitest';
+import type { HandNumbers } from '../../../../src/strokes/hand/Hand.js';
+import { learnHand } from '../../../../src/strokes/hand/learnHand.js';
 import { HAND_TEXTURE } from '../../../../src/strokes/handConstants.js';
-import type { StrokeProfiles } from '../../../../src/strokes/strokeProfiles.js';
+import { type StrokeProfiles, strokeProfiles } from '../../../../src/strokes/strokeProfiles.js';
 import { type Cells, type RowStroke, rowsFor, strokesOnRow } from '../../../../src/vector/shading/handStrokes.js';
 
 const { PLACES, TONE_ROWS } = HAND_TEXTURE;
@@ -12,7 +14,17 @@ const profiles: StrokeProfiles = {
   tones: Array.from({ length: TONE_ROWS }, () =>
     Array.from({ length: PLACES }, (_, i) => ({ share: i / (PLACES - 1), widening: 0 })),
   ),
-  ...{ offset: 0.25, halfWidth: 0.125, bundled: 0, spacing: 1, cell: 1, filled: 0.75, shorter: 0 },
+  ...{
+    offset: 0.25,
+    halfWidth: 0.125,
+    bundled: 0,
+    laneOffset: 0,
+    laneShift: 0,
+    spacing: 1,
+    cell: 1,
+    filled: 0.75,
+    shorter: 0,
+  },
 };
 
 /** Cells of length 2, of one stroke each. */
@@ -55,6 +67,64 @@ test('in lighter tones as many strokes are there as the hand says', () => {
     const found = there.filter(Boolean).length / all.filter(Boolean).length;
     expect(Math.abs(found - share), `${tone}: ${found}, not ${share}`).toBeLessThan(0.12 * share + 0.01);
   }
+});
+
+/** Straight strokes of 10 mm, and the strokes of their rows in full tone, as spans of places along a row, in the order of their starts. */
+function spansOf(numbers: Partial<HandNumbers>, wanted: number): { from: number; to: number; lane: number }[] {
+  const strokes = Array.from({ length: 9 }, (_, i) => ({ points: [0, 2 * i, 10, 2 * i], widths: [0.4, 0.4] }));
+  const hand = learnHand(strokes);
+  const ruled = { ...hand.numbers, angleSpread: 0, lengthSpread: 0, ...numbers };
+  const drawn = strokeProfiles({ ...hand, numbers: ruled });
+  const [paired, longest] = [(2 * (wanted - 1)) / wanted, 1];
+  const open = new Map<string, { from: number; to: number; lane: number }>();
+  for (let line = 0; line < 6; line++)
+    for (const place of places) {
+      const cells = { ...cellsAt(place), paired, longest };
+      const rows = rowsFor({ profiles: drawn, cells, value: line, isDark: 0, repeat: Infinity }, 1, 0, 1 / 40);
+      for (const { lane, cell, length } of strokesOnRow(rows, line)) {
+        const at = 1000 * line + place;
+        const span = open.get(`${line} ${lane} ${cell} ${length}`);
+        if (span) span.to = at;
+        else open.set(`${line} ${lane} ${cell} ${length}`, { from: at, to: at, lane });
+      }
+    }
+  // Without those that the ends of the places cut.
+  const whole = [...open.values()].filter(({ from, to }) => from % 1000 > 0.02 && to % 1000 < 39.97);
+  return whole.sort((a, b) => a.from - b.from);
+}
+
+/** How much of the mean length of strokes lies beside the next one of their row, as a share. */
+function overlapOf(spans: readonly { from: number; to: number }[], isCounted: (i: number) => boolean): number {
+  const length = spans.reduce((sum, { from, to }) => sum + to - from, 0) / spans.length;
+  const counted = spans.flatMap(({ to }, i) => {
+    const gap = i + 1 < spans.length ? spans[i + 1].from - to : Infinity;
+    return isCounted(i) && Math.abs(gap) < 2 * length ? [-gap] : [];
+  });
+  expect(counted.length).toBeGreaterThan(20);
+  return counted.reduce((sum, one) => sum + one, 0) / counted.length / length;
+}
+
+test.each([0.1, 0.25, 0.45])(
+  'strokes run beside the next one of their row over a share of their length: %d',
+  (overlap) => {
+    for (const wanted of [1, 1.3, 1.7]) {
+      const found = overlapOf(spansOf({ overlap }, wanted), () => true);
+      expect(Math.abs(found - overlap), `${found} of cells of ${wanted}`).toBeLessThan(Math.max(0.15 * overlap, 0.04));
+    }
+  },
+);
+
+test.each([0.75, 1])('strokes that overlap by more than a half lie in pairs: %d', (overlap) => {
+  for (const wanted of [1, 1.3, 1.7]) {
+    const spans = spansOf({ overlap }, wanted);
+    const found = overlapOf(spans, (i) => spans[i].lane === 0 && spans[i + 1]?.lane === 1);
+    expect(Math.abs(found - overlap), `${found} of cells of ${wanted}`).toBeLessThan(0.15 * overlap);
+  }
+});
+
+test('strokes end to end have one lane', () => {
+  const spans = spansOf({ overlap: 0 }, 1);
+  expect(new Set(spans.map(({ lane }) => lane))).toEqual(new Set([0]));
 });
 
 /** The lengths of strokes that stand in a shadow which begins at a place along the rows, and end or begin there; the lit tone is 0. */
