@@ -51,10 +51,9 @@ export function drawnTones(
     ...shares.map((share) => ({ share, widening: 0 })),
     ...widenings.map((widening) => ({ share: 1, widening })),
   ];
-  const lanes = laneOffset > 0 ? [-laneOffset, laneOffset] : [0];
   return Array.from({ length: youngRows }, (_, row) => {
-    const young = row / (youngRows - 1);
-    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, young, bundled, lanes));
+    const lanes = lanesOf(row / (youngRows - 1), bundled, laneOffset);
+    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, lanes));
     return Array.from({ length: PLACES }, (_, place) => drawnBetween(drawn, tones, place / (PLACES - 1)));
   });
 }
@@ -71,44 +70,91 @@ function drawnBetween(drawn: readonly DrawnTone[], tones: readonly number[], ton
   };
 }
 
-/** The share of the length of a row in which its strokes cover what lies at a distance to its side, by distance. */
-function coverAcross(strokes: Float32Array, filled: number, widening: number): Float32Array {
-  const steps = new Float64Array(CELLS + 1);
-  const cellOf = (distance: number): number => Math.max(0, Math.min(CELLS, Math.round((distance + REACH) * FINENESS)));
+/** How much of the length of a row its strokes cover at a distance to its side. */
+interface Cover {
+  /** The share, by the distance in cells from `-REACH` on. */
+  shares: Float32Array;
+  /** The cells of which the share is above 0: the first, and the one after the last. */
+  from: number;
+  to: number;
+}
+
+function coverAcross(strokes: Float32Array, filled: number, widening: number): Cover {
+  const steps = new Int32Array(CELLS + 1);
+  const added = Float64Array.from({ length: PLACES }, (_, i) => {
+    const place = i / (PLACES - 1);
+    return widening * Math.min(1, WIDENED_ENDS * Math.min(place, 1 - place));
+  });
   for (let i = 0; i < strokes.length; i += 2) {
-    const place = ((i / 2) % PLACES) / (PLACES - 1);
-    const half = strokes[i + 1] + widening * Math.min(1, WIDENED_ENDS * Math.min(place, 1 - place));
+    const half = strokes[i + 1] + added[(i >> 1) % PLACES];
     steps[cellOf(strokes[i] - half)]++;
     steps[cellOf(strokes[i] + half)]--;
   }
-  const cover = new Float32Array(CELLS);
+  const shares = new Float32Array(CELLS);
+  let from = 0;
+  while (from < CELLS && steps[from] === 0) from++;
+  let to = CELLS;
+  while (to > from && steps[to] === 0) to--;
   let count = 0;
-  for (let cell = 0; cell < CELLS; cell++) {
+  for (let cell = from; cell < to; cell++) {
     count += steps[cell];
-    cover[cell] = (filled * count) / (strokes.length / 2);
+    shares[cell] = (filled * count) / (strokes.length / 2);
   }
-  return cover;
+  return { shares, from, to };
 }
 
-/** The mean tone of rows, old ones 1 + young apart, with young ones between them of whose strokes that share is there. */
-function toneOf(cover: Float32Array, share: number, young: number, bundled: number, lanes: readonly number[]): number {
+const cellOf = (distance: number): number => {
+  const cell = Math.floor((distance + REACH) * FINENESS + 0.5);
+  return cell < 0 ? 0 : cell > CELLS ? CELLS : cell;
+};
+
+/** The lanes that strokes lie in near each place between two rows. */
+interface Lanes {
+  /** For each place the cells of a cover in which it lies, of one lane after the other. */
+  cells: readonly Int32Array[];
+  /** The share of the strokes of each that is there if all of its kind are. */
+  shares: readonly Float64Array[];
+}
+
+/** The lanes of rows, old ones 1 + young apart, with young ones between them of whose strokes that share is there. */
+function lanesOf(young: number, bundled: number, laneOffset: number): Lanes {
   const apart = 1 + young;
   const most = Math.ceil((2 * REACH) / apart) + 1;
   const phases = (bundled > 0 ? BUNDLED_ROWS : 1) * PHASES;
   const asides = Array.from({ length: 2 * BUNDLED_ROWS }, (_, half) => drawnAside(half, young, bundled));
-  let blank = 0;
+  const offsets = laneOffset > 0 ? [-laneOffset, laneOffset] : [0];
+  const [cells, shares]: [Int32Array[], Float64Array[]] = [[], []];
   for (let phase = 0; phase < phases; phase++) {
     const place = (phase + 0.5) / PHASES;
     const first = 2 * (Math.floor(place) - most);
-    let left = 1;
+    const [near, there]: [number[], number[]] = [[], []];
     for (let half = first; half <= first + 4 * most + 2; half++) {
+      const share = half % 2 === 0 ? 1 : young;
+      if (share === 0) continue;
       const aside = asides[(half + most * asides.length) % asides.length];
-      for (const lane of lanes) {
-        const cell = Math.floor(((place - 0.5 * half) * apart - aside - lane + REACH) * FINENESS);
-        if (cell >= 0 && cell < CELLS) left *= 1 - share * (half % 2 === 0 ? 1 : young) * cover[cell];
+      for (const offset of offsets) {
+        const cell = Math.floor(((place - 0.5 * half) * apart - aside - offset + REACH) * FINENESS);
+        if (cell < 0 || cell >= CELLS) continue;
+        near.push(cell);
+        there.push(share);
       }
     }
+    cells.push(Int32Array.from(near));
+    shares.push(Float64Array.from(there));
+  }
+  return { cells, shares };
+}
+
+/** The mean tone of lanes in which a share of the strokes is there. */
+function toneOf({ shares, from, to }: Cover, share: number, lanes: Lanes): number {
+  if (share === 0) return 0;
+  let blank = 0;
+  for (const [phase, cells] of lanes.cells.entries()) {
+    const there = lanes.shares[phase];
+    let left = 1;
+    for (let i = 0; i < cells.length; i++)
+      if (cells[i] >= from && cells[i] < to) left *= 1 - share * there[i] * shares[cells[i]];
     blank += left;
   }
-  return 1 - blank / phases;
+  return 1 - blank / lanes.cells.length;
 }

@@ -154,7 +154,7 @@ interface Fit {
 }
 
 function bestFit(width: Float64Array): Fit {
-  const products = { start: new Map<number, number>(), end: new Map<number, number>() };
+  const products: Products = { start: [], end: [] };
   const sum = width.reduce((total, value) => total + value, 0);
   let best = fitTo(width, sum, 0, 0, products);
   const tryAll = (starts: readonly number[], ends: readonly number[]): void => {
@@ -176,50 +176,61 @@ function bestFit(width: Float64Array): Fit {
 /** How far a place is within a tapered end of `steps` steps: 1 at the tip, 0 from its full width on. */
 const inside = (place: number, steps: number): number => (steps > 0 ? Math.max(0, 1 - (place * STEPS) / steps) : 0);
 
-/** The least squares of width = full − startDrop·inside(x) − endDrop·inside(1 − x). */
-function fitTo(
-  width: Float64Array,
-  sum: number,
-  start: number,
-  end: number,
-  products: { start: Map<number, number>; end: Map<number, number> },
-): Fit {
-  const last = width.length - 1;
-  // The two ends do not overlap, so their products with each other are 0.
-  const product = (steps: number, known: Map<number, number>, place: (i: number) => number): number => {
-    const found = known.get(steps);
-    if (found !== undefined) return found;
-    let total = 0;
-    for (let i = 0; i <= last; i++) total += width[i] * inside(place(i), steps);
-    known.set(steps, total);
-    return total;
-  };
-  const fromStart = product(start, products.start, (i) => i / last);
-  const fromEnd = product(end, products.end, (i) => 1 - i / last);
-  const [sumStart, squareStart] = momentsOf(start, last);
-  const [sumEnd, squareEnd] = momentsOf(end, last);
-  // The drops are eliminated from the normal equations, which leaves one equation for the full width.
-  const shareStart = squareStart > 0 ? sumStart / squareStart : 0;
-  const shareEnd = squareEnd > 0 ? sumEnd / squareEnd : 0;
-  const full =
-    (sum - shareStart * fromStart - shareEnd * fromEnd) / (last + 1 - shareStart * sumStart - shareEnd * sumEnd);
-  const startDrop = squareStart > 0 ? (full * sumStart - fromStart) / squareStart : 0;
-  const endDrop = squareEnd > 0 ? (full * sumEnd - fromEnd) / squareEnd : 0;
-  // Ends that become wider are no tapers.
-  if (startDrop < 0 || endDrop < 0 || !Number.isFinite(full)) {
-    return { start: 0, end: 0, full: sum / (last + 1), startDrop: 0, endDrop: 0, explained: Number.NEGATIVE_INFINITY };
-  }
-  return { start, end, full, startDrop, endDrop, explained: full * sum - startDrop * fromStart - endDrop * fromEnd };
+/** The sums of widths times `inside` of their places within ends of so many steps, as far as they are known. */
+interface Products {
+  start: (number | undefined)[];
+  end: (number | undefined)[];
 }
 
-/** The sums of `inside` and of its square over all samples. */
-function momentsOf(steps: number, last: number): [sum: number, squares: number] {
+const LAST = SAMPLES - 1;
+
+/** The samples within an end of `steps` steps. */
+const samplesWithin = (steps: number): number => Math.ceil((steps * LAST) / STEPS);
+
+function productAtStart(width: Float64Array, steps: number): number {
+  let total = 0;
+  for (let i = 0; i < samplesWithin(steps); i++) total += width[i] * inside(i / LAST, steps);
+  return total;
+}
+
+function productAtEnd(width: Float64Array, steps: number): number {
+  let total = 0;
+  for (let i = SAMPLES - samplesWithin(steps); i < SAMPLES; i++) total += width[i] * inside(1 - i / LAST, steps);
+  return total;
+}
+
+/** The sums of `inside` and of its square over all samples, for each number of steps. */
+const MOMENTS = /* @__PURE__ */ Array.from({ length: STEPS + 1 }, (_, steps) => momentsOf(steps));
+
+function momentsOf(steps: number): readonly [sum: number, squares: number] {
   let sum = 0;
   let squares = 0;
-  for (let i = 0; i * STEPS < steps * last; i++) {
-    const value = inside(i / last, steps);
+  for (let i = 0; i < samplesWithin(steps); i++) {
+    const value = inside(i / LAST, steps);
     sum += value;
     squares += value * value;
   }
   return [sum, squares];
+}
+
+/** The least squares of width = full − startDrop·inside(x) − endDrop·inside(1 − x). */
+function fitTo(width: Float64Array, sum: number, start: number, end: number, products: Products): Fit {
+  // The two ends do not overlap, so their products with each other are 0.
+  products.start[start] ??= productAtStart(width, start);
+  products.end[end] ??= productAtEnd(width, end);
+  const [fromStart, fromEnd] = [products.start[start], products.end[end]];
+  const [sumStart, squareStart] = MOMENTS[start];
+  const [sumEnd, squareEnd] = MOMENTS[end];
+  // The drops are eliminated from the normal equations, which leaves one equation for the full width.
+  const shareStart = squareStart > 0 ? sumStart / squareStart : 0;
+  const shareEnd = squareEnd > 0 ? sumEnd / squareEnd : 0;
+  const full =
+    (sum - shareStart * fromStart - shareEnd * fromEnd) / (SAMPLES - shareStart * sumStart - shareEnd * sumEnd);
+  const startDrop = squareStart > 0 ? (full * sumStart - fromStart) / squareStart : 0;
+  const endDrop = squareEnd > 0 ? (full * sumEnd - fromEnd) / squareEnd : 0;
+  // Ends that become wider are no tapers.
+  if (startDrop < 0 || endDrop < 0 || !Number.isFinite(full)) {
+    return { start: 0, end: 0, full: sum / SAMPLES, startDrop: 0, endDrop: 0, explained: Number.NEGATIVE_INFINITY };
+  }
+  return { start, end, full, startDrop, endDrop, explained: full * sum - startDrop * fromStart - endDrop * fromEnd };
 }
