@@ -7,7 +7,7 @@ import { lightLuminance } from './nodes/base/maths.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { openToLights, openToSky } from './nodes/chunks/occlusion.js';
-import { hasShadows, type ShadowedLight, separateShadow } from './nodes/chunks/shadows.js';
+import { hasShadows, type ShadowedLight, type ShadowOfLight, separateShadow } from './nodes/chunks/shadows.js';
 import { shadowLeft } from './nodes/chunks/softShadows.js';
 import type { HatchingSurface } from './nodes/chunks/tone.js';
 
@@ -38,10 +38,12 @@ export interface LightingChoices {
   toneModel: string;
   /** The choice `shadowStrokes`, resolved. */
   shadowStrokes: string;
+  /** Whether strokes of a hand end at the edges of shadows. */
+  endsStrokes: boolean;
 }
 
 /** The lighting of a surface, without the darkness of its own colour. */
-export type LitSurface = Omit<HatchingSurface, 'darkness'>;
+export type LitSurface = Omit<HatchingSurface, 'darkness' | 'castShadows'>;
 
 /** A surface that no light reaches. */
 export const unlitSurface = (): LitSurface => ({
@@ -68,7 +70,7 @@ export class HatchingLightingModel extends LightingModel {
   private sums: ShadowSums | null = null;
   private receivedShadows: ReceivedShadow[] = [];
   /** The shadow of the current light; null if it casts none. */
-  private shadow: Omit<ReceivedShadow, 'isShadowed'> | null = null;
+  private shadow: ShadowOfLight | null = null;
 
   /** @param print makes the colour of a surface */
   constructor(
@@ -90,7 +92,8 @@ export class HatchingLightingModel extends LightingModel {
     // The tone of a dissolving shadow is the share of the light that it takes.
     this.plane = this.dissolves ? float(0) : isRound.oneMinus().toVar();
     this.receivedShadows = [];
-    const isSeparate = (this.dissolves || this.choices.shadowStrokes !== 'tone') && hasShadows(builder, this.lights);
+    const { shadowStrokes, endsStrokes } = this.choices;
+    const isSeparate = (this.dissolves || shadowStrokes !== 'tone' || endsStrokes) && hasShadows(builder, this.lights);
     this.sums = isSeparate ? { shadowed: float(0).toVar(), taken: float(0).toVar(), lost: float(0).toVar() } : null;
     const context = builder.context as LightingContext;
     // An application may have set one of its own.
@@ -126,7 +129,7 @@ export class HatchingLightingModel extends LightingModel {
 
   /** @param facing the cosine between a light and the normal */
   private takeShadow(
-    received: Omit<ReceivedShadow, 'isShadowed'>,
+    received: ShadowOfLight,
     { shadowed, taken, lost }: ShadowSums,
     { arriving, luminance, facing }: Record<'arriving' | 'luminance' | 'facing', Value>,
   ): void {
@@ -143,7 +146,8 @@ export class HatchingLightingModel extends LightingModel {
       // A lamp casts no shadow beyond its reach.
       isShadowed = (hasPlace(light) ? isTaken.and(luminance.greaterThan(0)) : isTaken).toVar();
     }
-    this.receivedShadows.push({ ...received, isShadowed });
+    const sent = this.choices.endsStrokes ? arriving.toVar() : null;
+    this.receivedShadows.push({ ...received, isShadowed, sent });
   }
 
   override indirect(builder: NodeBuilder): void {

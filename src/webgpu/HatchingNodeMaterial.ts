@@ -66,7 +66,7 @@ import {
   checkStrokes,
   dotLayerOf,
   exposureReady,
-  handPrinterOf,
+  handCodeOf,
   handReady,
   patternReady,
   writeExposure,
@@ -79,8 +79,9 @@ import { lightLuminance, pixelFromBelow } from './nodes/base/maths.js';
 import { tsl, type Value } from './nodes/base/values.js';
 import { fadingAt } from './nodes/chunks/fading.js';
 import { paper, printedColor } from './nodes/chunks/ink.js';
+import { openToLights } from './nodes/chunks/occlusion.js';
 import { readFaceNormals } from './nodes/chunks/screenGradient.js';
-import { filledColor, localDarkness, shadedTone, unshadowedTone } from './nodes/chunks/tone.js';
+import { filledColor, litTone, localDarkness, shadedTone, unshadowedTone } from './nodes/chunks/tone.js';
 import { tonedSurface } from './tonedSurface.js';
 
 const NAME = 'HatchingNodeMaterial';
@@ -298,7 +299,7 @@ export class HatchingNodeMaterial extends NodeMaterial {
       curve,
       inkBlend,
       Number(dotLayerOf(this) !== undefined),
-      Number(handPrinterOf(this) !== undefined),
+      Number(handCodeOf(this) !== undefined),
     ].join(' ');
   }
 
@@ -399,7 +400,9 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const built = builder as NodeBuilder & { lightsNode: { getLights(): Light[] } };
     const lights = built.lightsNode.getLights();
     const { look, drawnToneModel: toneModel } = this;
-    const choices = { toneModel, shadowStrokes: resolveLook(look, false).shadowStrokes };
+    const { shadowStrokes } = resolveLook(look, false);
+    const endsStrokes = handCodeOf(look) !== undefined && shadowStrokes !== 'reorient' && toneModel !== 'shadow';
+    const choices = { toneModel, shadowStrokes, endsStrokes };
     return new HatchingLightingModel(choices, lights, (surface) => this.print(surface, built));
   }
 
@@ -451,10 +454,13 @@ export class HatchingNodeMaterial extends NodeMaterial {
     const { look, technique, drawnToneModel: toneModel } = this;
     const emitted = materialEmissive;
     const radiance = lit.radiance.add(lightLuminance(emitted)).toVar();
-    const surface = { ...lit, radiance, darkness: localDarkness(tonedSurface(builder), emitted) };
+    const castShadows = handCodeOf(look)?.castShadowsOf(lit.receivedShadows);
+    const surface = { ...lit, castShadows, radiance, darkness: localDarkness(tonedSurface(builder), emitted) };
     const rules = { toneModel, curve: curveOf(this.toneCurve), isMirror: isMirror(look) };
     const fading = fadingAt(positionView, pixelFromBelow()).toVar();
-    const tone = shadedTone(surface, rules).mul(fading).toVar();
+    const toneOf = (light: Value): Value => litTone(light, surface, rules);
+    const tones = castShadows?.tonesOf(radiance, openToLights(), toneOf);
+    const tone = (tones ?? shadedTone(surface, rules)).mul(fading).toVar();
     // Dots cannot cross one another: two sets of them would clump.
     const crosses = lit.shadowed && resolveLook(look, false).shadowStrokes === 'cross' && technique !== 'stipple';
     const unshadowed = crosses ? unshadowedTone(surface, rules).mul(fading).toVar() : null;

@@ -105,8 +105,8 @@ const ofHands = /* @__PURE__ */ new Later(
   'plain strokes of a pen are drawn',
   async () => {
     const codes = [import('../material/parts/handRows.js'), import('./nodes/lines/handStrokes.js')] as const;
-    const [{ part }, { ruledLines }] = await Promise.all(codes);
-    return { ...part, printer: ruledLines as FamilyPrinter };
+    const [{ part }, { castShadowsOf, ruledLines }] = await Promise.all(codes);
+    return { ...part, castShadowsOf, printer: ruledLines as FamilyPrinter };
   },
 );
 
@@ -118,9 +118,8 @@ export const handReady = async (look: HandLook): Promise<void> => {
   if (drawsHand(look)) await ofHands.fetch();
 };
 
-/** What prints the strokes of a hand, if a look draws them and the code is loaded. */
-export const handPrinterOf = (look: HandLook): FamilyPrinter | undefined =>
-  drawsHand(look) ? ofHands.code?.printer : undefined;
+/** The code that prints the strokes of a hand, if a look draws them and the code is loaded. */
+export const handCodeOf = (look: HandLook): typeof ofHands.code => (drawsHand(look) ? ofHands.code : undefined);
 
 /** Finds every fault of a hand, once the code is loaded. @throws TypeError or RangeError with the fault */
 export const checkStrokes = (hand: Hand): void => ofHands.code?.checkHand(hand);

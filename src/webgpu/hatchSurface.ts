@@ -5,7 +5,7 @@ import { type ResolvedLook, resolveLook } from '../look/queries.js';
 import { isFormed } from '../material/geometry/formGeometry.js';
 import type { HatchingMaterialProperties } from '../material/HatchingMaterialProperties.js';
 import { hasRoomForForm } from './deviceLimits.js';
-import { dotLayerOf, handPrinterOf } from './fetchedCode.js';
+import { dotLayerOf, handCodeOf } from './fetchedCode.js';
 import { directedLights, lightsOf } from './nodes/base/lights.js';
 import { pixelFromBelow } from './nodes/base/maths.js';
 import { hatchingUniform } from './nodes/base/uniforms.js';
@@ -63,6 +63,7 @@ export function emitVertex(look: Look, builder: NodeBuilder): void {
 
 /** The tones of a surface. */
 interface Tones {
+  /** Of strokes that end at shadows, two: without the shadows that are read along strokes, and in all of them. */
   tone: Value;
   /** The tone without shadows; null where shadows only darken. */
   unshadowed: Value | null;
@@ -77,17 +78,22 @@ export function darknessOf(look: Look, surface: HatchingSurface, tones: Tones, b
 /** The functions that print a tone: as the hatch of a surface, and as that of its shadows. */
 type Printing = Record<'hatch' | 'shadowLayer', (tone: Value) => Value>;
 
-function linesIn(look: Look, { receivedShadows, shadowLeft }: HatchingSurface, builder: NodeBuilder): Printing {
+function linesIn(
+  look: Look,
+  { castShadows, receivedShadows, shadowLeft }: HatchingSurface,
+  builder: NodeBuilder,
+): Printing {
   const resolved = resolvedFor(look, builder);
   const { technique } = resolved;
   const h = read(builder, directionOf(resolved, builder), technique, {
+    castShadows,
     receivedShadows,
     shadowLeft,
     lights: lightsOf(builder),
   });
   const printing: LinePrinting = {
     isPen: technique === 'pen',
-    printFamily: handPrinterOf(look) ?? ((...family) => ruledLines(...family, technique)),
+    printFamily: handCodeOf(look)?.printer ?? ((...family) => ruledLines(...family, technique)),
   };
   return {
     hatch: (tone) => hatchLayer(h, tone, printing),

@@ -77,8 +77,8 @@ const MOST_BYTES = [
 
 /** The same bytes of pages that draw with WebGPURenderer. */
 const MOST_BYTES_OF_NODES = [
-  ['HatchingNodeMaterial', 39_500],
-  ['HatchingNodeMaterial, applyHatching', 51_800],
+  ['HatchingNodeMaterial', 39_800],
+  ['HatchingNodeMaterial, applyHatching', 52_000],
   ['HatchingOutlines', 48_100],
 ] as const;
 

@@ -175,8 +175,6 @@ const OTHER_UNIFORMS: Record<string, readonly string[]> = {
 
 /** Constants that one side lacks, or has with another value, by chunk. */
 const OTHER_CONSTANTS: Record<string, readonly string[]> = {
-  // Only strokes that end at shadows need it, which nodes lack.
-  'chunks/handStrokes.glsl': ['LEAST_FACING'],
   // A literal in GLSL.
   'chunks/shadowSearch.glsl': ['RINGS'],
   // Words of integers in GLSL, and floats in nodes.

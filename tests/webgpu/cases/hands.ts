@@ -1,11 +1,11 @@
-import { HemisphereLight, PCFShadowMap, SpotLight } from 'three';
+import { BasicShadowMap, HemisphereLight, PCFShadowMap, SpotLight, VSMShadowMap } from 'three';
 import {
   type HatchingMaterialParameters,
   type HatchingShadowMaterialParameters,
   prepareHatchingGeometry,
 } from 'three-hatching';
 import { type ExampleHandName, exampleHand } from 'three-hatching/hands';
-import { onGround } from '../ground.js';
+import { type Casting, lamp, onGround, spot } from '../ground.js';
 import { type KnotStage, knot } from '../knot.js';
 import type { Kit, SceneCase, Stage } from '../SceneCase.js';
 
@@ -31,6 +31,13 @@ async function formed(kit: Kit, parameters: HatchingMaterialParameters): Promise
 function lit<Shown extends KnotStage>(stage: Shown, intensity: number): Shown {
   stage.sun.intensity = intensity;
   return stage;
+}
+
+/** A knot on a ground, under the sun and another light, which casts a shadow of its own. */
+async function underTwo(kit: Kit, parameters: HatchingMaterialParameters, light: Casting): Promise<KnotStage> {
+  const stage = await onGround(kit, { ...ROWS, ...parameters });
+  stage.scene.add(light);
+  return lit(stage, 1.2);
 }
 
 /** Whole strokes of hands. */
@@ -85,11 +92,28 @@ export const cases: readonly SceneCase[] = [
     shadows: PCFShadowMap,
     async show(kit) {
       const ground: HatchingShadowMaterialParameters = { technique: 'pen', hand: handOf('ballpoint'), strokeWidth: 1 };
-      const stage = await onGround(kit, { ...ROWS, direction: 'y' }, await kit.shadows(ground));
-      // Strokes end at the shadows on surfaces in GLSL alone.
-      stage.mesh.receiveShadow = false;
+      return onGround(kit, { ...ROWS, direction: 'y' }, await kit.shadows(ground));
+    },
+  },
+  {
+    name: 'strokes that end at a shadow',
+    shadows: PCFShadowMap,
+    show: (kit) => onGround(kit, { ...ROWS, hand: handOf('quill'), direction: 'light', shadowStrokes: 'tone' }),
+  },
+  {
+    name: 'bundles along the form that end at two shadows',
+    shadows: BasicShadowMap,
+    async show(kit) {
+      const hand = handOf('reedPen', { clustering: 0.8, crossingFrom: 0.3 });
+      const stage = await underTwo(kit, { hand, direction: 'form', shadowStrokes: 'tone' }, lamp());
+      stage.mesh.geometry = await prepareHatchingGeometry(stage.mesh.geometry, { form: true });
       return stage;
     },
+  },
+  {
+    name: 'strokes that cross in a shadow and end there',
+    shadows: VSMShadowMap,
+    show: (kit) => underTwo(kit, { hand: handOf('brush'), direction: 'slant', shadowStrokes: 'cross' }, spot()),
   },
   {
     name: 'another hand in the place of one',

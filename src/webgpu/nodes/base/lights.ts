@@ -1,6 +1,15 @@
 /** The scene's lights and the shadows that they cast, as values at a fragment or a vertex. */
-import { Color, type HemisphereLight, type Light, type PointLight, type SpotLight, Vector3 } from 'three';
+import {
+  Color,
+  type HemisphereLight,
+  type Light,
+  type LightShadow,
+  type PointLight,
+  type SpotLight,
+  Vector3,
+} from 'three';
 import type { LightsNode, NodeBuilder } from 'three/webgpu';
+import type { ShadowLookup } from '../chunks/shadowFilters.js';
 import { lightLuminance } from './maths.js';
 import { threeNodes, tsl, type Value } from './values.js';
 
@@ -20,13 +29,17 @@ export const directedLights = (lights: readonly Light[]): Light[] =>
 
 /** A light that casts shadows, at a fragment. */
 export interface ReceivedShadow {
-  light: Light;
+  light: Light & { shadow: LightShadow };
   /** The share of the light that arrives. */
   shadow: Value;
   /** The share of the tone of its shadow that is left; null where shadows do not dissolve. */
   toneLeft: Value | null;
   /** Whether it is so shadowed that strokes no longer follow it; null where they always do. */
   isShadowed: Value | null;
+  /** How its map is read elsewhere; null for a map that is not known. */
+  lookup: ShadowLookup | null;
+  /** The radiance that the light sends; null where no strokes end at shadows. */
+  sent: Value | null;
 }
 
 /**

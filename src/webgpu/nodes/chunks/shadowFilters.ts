@@ -106,6 +106,18 @@ export function passes(map: ShadowMap, values: ShadowValues, at: Value, depth: V
   return select(max(away.x, away.y).greaterThan(0.5), float(1), there);
 }
 
+/** How a shadow map is read at a place of its own. */
+export interface ShadowLookup {
+  values: ShadowValues;
+  /** The light that passes to a point, as `passes` finds it. */
+  passes(at: Value, depth: Value): Value;
+}
+
+export function lookupIn(map: ShadowMap, shadow: LightShadow): ShadowLookup {
+  const values = shadowValuesFor(shadow);
+  return { values, passes: (at, depth) => passes(map, values, at, depth) };
+}
+
 /** Counterpart of shaders/shadowMaps/steadyKernel.glsl: a tent filter with samples no more than a texel apart. */
 
 const samplesAside = (radius: Value): Value => int(clamp(ceil(radius), 0, SHADOW_CONSTANTS.MOST_SAMPLES));

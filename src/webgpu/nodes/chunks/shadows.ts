@@ -24,6 +24,7 @@ import type { ShadowMap } from './shadowFilters.js';
 import {
   bilinearCube,
   bilinearFlat,
+  lookupIn,
   type ShadowValues,
   shadowValuesFor,
   steadyCube,
@@ -107,19 +108,19 @@ function filtered(builder: NodeBuilder, lit: ShadowedLight, map: ShadowMap | nul
   return mix(1, passes, values.intensity);
 }
 
+/** The shadow of a light at a fragment, before it is set against its light. */
+export type ShadowOfLight = Omit<ReceivedShadow, 'isShadowed' | 'sent'>;
+
 /** @param dissolves whether shadows alone are drawn, with edges that widen and a tone that dissolves */
-export function separateShadow(
-  builder: NodeBuilder,
-  lit: ShadowedLight,
-  dissolves: boolean,
-): Omit<ReceivedShadow, 'isShadowed'> {
+export function separateShadow(builder: NodeBuilder, lit: ShadowedLight, dissolves: boolean): ShadowOfLight {
   const { light, shadowNode } = lit;
   // Building its node makes three.js create the map and render it.
   shadowNode.build(builder);
   const map = mapOf(builder, lit);
   const own = (): Value => filtered(builder, lit, map);
-  if (!dissolves || !map) return { light, shadow: own().toVar(), toneLeft: null };
-  return { light, ...readSoftShadow(light, map, own) };
+  const lookup = map && lookupIn(map, light.shadow);
+  if (!dissolves || !map) return { light, lookup, shadow: own().toVar(), toneLeft: null };
+  return { light, lookup, ...readSoftShadow(light, map, own) };
 }
 
 /** Counterpart of shaders/chunks/turnShadows.glsl: where shadow maps are read, off the surface on the side that is seen. */

@@ -9,6 +9,7 @@ import { type TextureValue, tsl, type Value } from '../base/values.js';
 import { mirroredRoom, mirroredShare } from './metal.js';
 import { hollowness, openToSky } from './occlusion.js';
 import { shadowTone } from './softShadows.js';
+import type { CastShadows } from './strokeShadows.js';
 
 const { clamp, dot, float, floor, max, min, mix, pow, select, step, vec2, vec3 } = tsl;
 const { NO_LIGHT, OPAQUE_TEXEL } = TONE_CONSTANTS;
@@ -24,6 +25,8 @@ export interface HatchingSurface {
   darkness: Value;
   /** The lights that cast shadows, where shadows are computed apart. */
   receivedShadows: readonly ReceivedShadow[];
+  /** The shadows at whose edges strokes end; undefined where edges cut strokes. */
+  castShadows: CastShadows | undefined;
 }
 
 /** Counterpart of shaders/chunks/tone.glsl: tone in [0, 1], where 0 is paper. */
@@ -68,7 +71,8 @@ function mirroredTone(tone: Value, rules: ToneRules): Value {
   return mix(tone, toneFromRadiance(openToSky().mul(mirroredRoom()), rules), mirroredShare());
 }
 
-function litTone(radiance: Value, { darkness }: HatchingSurface, rules: ToneRules): Value {
+/** The tone of a surface under lights of some radiance. */
+export function litTone(radiance: Value, { darkness }: HatchingSurface, rules: ToneRules): Value {
   const tone = mirroredTone(toneFromRadiance(exposed(radiance), rules), rules);
   return deepened(darkenedByColor(tone, darkness), hollowness());
 }

@@ -1,17 +1,24 @@
 /**
- * Counterpart of shaders/chunks/handStrokes.glsl: whole strokes of a hand, without those that end at shadows. The level sets of a function are
- * rows, another function tells the place along a row, and a row is divided into cells of one stroke each.
+ * Counterpart of shaders/chunks/handStrokes.glsl: whole strokes of a hand. The level sets of a function are rows, another function tells the place along a row, and a row is divided into cells of one stroke each.
  */
 import { DataTexture, HalfFloatType, LinearFilter, RGFormat } from 'three';
 import { LINE_CONSTANTS, PEN_CONSTANTS } from '../../../look/constants/lineConstants.js';
-import { HASH_FACTORS } from '../../../look/constants/patternConstants.js';
+import { HASH_FACTORS, SCREEN_CONSTANTS } from '../../../look/constants/patternConstants.js';
 import { HAND_STROKE_CONSTANTS, HAND_TEXTURE, MOST_ROWS } from '../../../strokes/handConstants.js';
-import { lineCoverage } from '../base/maths.js';
+import { identity, lineCoverage, safeNormalize } from '../base/maths.js';
 import { hatchingTexture, hatchingUniform } from '../base/uniforms.js';
 import { tsl, type Value } from '../base/values.js';
 import { readViewToAnchor } from '../chunks/anchor.js';
-import { screenGradient, viewUnitsPerPixel } from '../chunks/screenGradient.js';
+import {
+  centreOfScreen,
+  type ScreenMap,
+  screenGradient,
+  screenMapOf,
+  viewUnitsPerPixel,
+} from '../chunks/screenGradient.js';
+import { castShadowsOf } from '../chunks/strokeShadows.js';
 import { objectToField } from './emit.js';
+import { vFieldNormal } from './fields.js';
 import { hash01, turnOf } from './hand.js';
 import type { Family, HatchingParameters } from './read.js';
 import {
@@ -30,7 +37,7 @@ import {
 } from './strokeLengths.js';
 
 const { abs, Break, ceil, clamp, dot, float, floor, fract, If, int, length, Loop, max, min, mix, pow, select } = tsl;
-const { sqrt, uint, vec2, vec3 } = tsl;
+const { positionView, sqrt, uint, vec2, vec3 } = tsl;
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 const { AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
 const { SECOND_FACTOR, THIRD_FACTOR } = HASH_FACTORS;
@@ -46,6 +53,8 @@ function blankStrokes(): DataTexture {
   texture.needsUpdate = true;
   return texture;
 }
+
+export { castShadowsOf };
 
 const handStrokes = /* @__PURE__ */ hatchingTexture('handStrokes', /* @__PURE__ */ blankStrokes());
 const handReach = /* @__PURE__ */ hatchingUniform('handReach', 'vec4');
@@ -78,6 +87,17 @@ interface Cells {
   /** Change of the places, straight across a row on the screen, while the family's function grows by 1. */
   askew: Value;
   isOfForm: boolean;
+  /** Null where shadows cut strokes. */
+  onSurface: OnSurface | null;
+}
+
+/** Steps on the surface, and its normal, view space. */
+interface OnSurface {
+  /** Along a row while each of the places grows by 1. */
+  steps: readonly [Value, Value];
+  /** Straight across rows while the family's function grows by 1. */
+  stepAcross: Value;
+  normal: Value;
 }
 
 /** Whether a family is the first, which takes strokes of the light swatch too. */
@@ -119,13 +139,50 @@ function placesOf(
 const tilesPerPixel = ({ builder }: HatchingParameters): Value =>
   viewUnitsPerPixel().mul(length(objectToField.mul(readViewToAnchor(builder).mul(vec3(1, 0, 0)))));
 
+/** The Jacobian of the map from pixels to the tangent plane in view space. @param normal view space, of any length */
+function tangentOnScreen(normal: Value): ScreenMap {
+  const centre = centreOfScreen();
+  const facing = abs(dot(normal, vec3(centre, 1)));
+  const least = length(normal).mul(SCREEN_CONSTANTS.LEAST_FACING);
+  return screenMapOf(normal.mul(viewUnitsPerPixel().div(max(facing, least))).toVar(), centre, identity());
+}
+
+const viewStep = (step: Value, [x, y]: ScreenMap): Value => x.mul(step.x).add(y.mul(step.y));
+
+/** The view-space step along a row while a place grows by 1. @param change of the place, on the screen @param ofRow its way there */
+function stepOf(inView: ScreenMap, change: Value, ofRow: Value, least: Value): Value {
+  const perPixel = dot(change, ofRow).toVar();
+  const pixels = select(perPixel.lessThan(0), float(-1), float(1)).div(max(abs(perPixel), least));
+  return viewStep(ofRow.mul(pixels).toVar(), inView).toVar();
+}
+
+/** @param across unit, straight across a row on the screen @param changes of the places, on the screen, and `least`, the least of them */
+function onSurfaceAt(
+  { builder }: HatchingParameters,
+  family: Family,
+  across: Value,
+  { first, second, least }: Record<'first' | 'second' | 'least', Value>,
+): OnSurface {
+  const normal = safeNormalize(vFieldNormal)
+    .mul(objectToField.mul(readViewToAnchor(builder)))
+    .toVar();
+  const inView = tangentOnScreen(normal);
+  const ofRow = vec2(across.y.negate(), across.x).toVar();
+  return {
+    steps: [stepOf(inView, first, ofRow, least), stepOf(inView, second, ofRow, least)],
+    stepAcross: viewStep(across.div(max(family.perPixel, 1e-12)).toVar(), inView).toVar(),
+    normal: safeNormalize(normal).toVar(),
+  };
+}
+
 function cellsFor(h: HatchingParameters, family: Family): Cells {
   const { places, share, repeat, rise, first, second } = placesOf(h, family);
   // The length of a stroke does not depend on the slant at which it is seen, so that no stroke is cut where the form turns away.
   const perPixel = max(tilesPerPixel(h).mul(rise), 1e-12).toVar();
   const gradient = screenGradient(family.gradient, h.onScreen).toVar();
   const across = gradient.div(max(length(gradient), 1e-12)).toVar();
-  const perPixelOfRow = max(vec2(crossed(first, across), crossed(second, across)), perPixel.mul(0.1)).toVar();
+  const least = perPixel.mul(0.1).toVar();
+  const perPixelOfRow = max(vec2(crossed(first, across), crossed(second, across)), least).toVar();
   const askew = vec2(dot(first, across), dot(second, across)).div(max(family.perPixel, 1e-12)).toVar();
   const onObject = octaves(strokeLength.div(PARTS_OF_TILE).mul(rise).toVar());
   const onScreen = octaves(strokeLength.mul(perPixel).toVar());
@@ -137,7 +194,9 @@ function cellsFor(h: HatchingParameters, family: Family): Cells {
   const most = select(handLanes.x.greaterThan(0), float(2), min(wanted.mul(LONGEST_IN_PAIR), 2)).toVar();
   const paired = wanted.sub(1).mul(2).div(most.add(wanted).sub(2)).toVar();
   const { isOfForm } = family;
-  return { places, share, repeat, period, paired, longest: most.mul(0.5).toVar(), perPixelOfRow, askew, isOfForm };
+  const onSurface = h.castShadows ? onSurfaceAt(h, family, across, { first, second, least }) : null;
+  const longest = most.mul(0.5).toVar();
+  return { places, share, repeat, period, paired, longest, perPixelOfRow, askew, isOfForm, onSurface };
 }
 
 /** The rank below which strokes are there if a given share of them is, and the range over which they grow: few strokes are whole too. */
@@ -172,6 +231,15 @@ interface Row {
   born: Value;
   /** What is added to half widths. */
   widening: Value;
+  /** The same in the shadows that are read along strokes; null where shadows cut them. */
+  inShadow: ShadedRow | null;
+}
+
+interface ShadedRow extends Pick<Row, 'born' | 'widening'> {
+  /** The nearest point of the row, view space. */
+  middle: Value;
+  /** The share of the light that shadows take at a place. @param viewPosition of it */
+  shadowAt(viewPosition: Value): Value;
 }
 
 /**
@@ -198,13 +266,16 @@ function bundledAside({ number, apart }: Row, lot: Value): Value {
 const grownAt = (born: Value, rank: Value): Value => clamp(born.x.sub(rank).div(born.y), 0, 1);
 
 /** The coordinate along which strokes are counted, and its share of them. */
-type Counted = Record<'place' | 'share' | 'perPixelOfRow', Value>;
+interface Counted extends Record<'place' | 'share' | 'perPixelOfRow', Value> {
+  /** The step along a row while it grows by 1, view space; null where shadows cut strokes. */
+  step: Value | null;
+}
 
 /** The share of a pixel that the strokes of a row cover, counted along one coordinate. @param spacing pixels */
 function strokeCoverage(
   row: Row,
   cells: Cells,
-  { place, share, perPixelOfRow }: Counted,
+  { place, share, perPixelOfRow, step }: Counted,
   isDark: Value,
   spacing: Value,
 ): Value {
@@ -237,7 +308,7 @@ function strokeCoverage(
     .mul(1 + AXIS_TURN)
     .sub(fract(chance.mul(AXIS_HASH)))
     .div(AXIS_TURN);
-  there.assign(min(min(there, onAxis), grownAt(row.born, rank)));
+  there.assign(min(there, onAxis));
   const shorter = handRows.x.mul(fract(chance.mul(SIZE_HASH)));
   const size = handReach.w
     .mul(shorter.oneMinus())
@@ -245,9 +316,9 @@ function strokeCoverage(
     .toVar();
   const steadiness = select(handLanes.x.greaterThan(0), float(LANE_STEADINESS), float(0));
   const begin = size.oneMinus().mul(mix(fract(chance.mul(START_HASH)), 0.5, steadiness));
-  // A stroke that is not there in full is shorter, and ends as the hand ends it.
-  const t = inCell.sub(begin).div(size).sub(0.5).div(there).add(0.5).toVar();
-  If(there.greaterThan(0).and(t.greaterThan(0)).and(t.lessThan(1)), () => {
+  const inFull = inCell.sub(begin).div(size).toVar();
+  const cellLength = select(isPair, period.mul(2), period).toVar();
+  If(there.greaterThan(0).and(inFull.greaterThan(0)).and(inFull.lessThan(1)), () => {
     const aside = row.way.mul(row.away).toVar();
     If(handRows.y.greaterThan(0), () => {
       // Strokes side by side are of one bundle, and others farther along: no gap runs all along the rows.
@@ -256,24 +327,82 @@ function strokeCoverage(
       const lot = floor(strokeHash01(uint(SECOND_FACTOR), ofBlock).mul(BUNDLED_ROWS)).toVar();
       aside.assign(aside.sub(bundledAside(row, lot)));
     });
-    const ofRank = mix(isDark.mul(0.5), 1, rank).mul(1 - SHAPES_OF_RANK);
-    const chosen = ofRank.add(fract(chance.mul(SHAPE_HASH)).mul(SHAPES_OF_RANK));
-    const shape = min(floor(handReach.x.mul(chosen)), handReach.x.sub(1));
-    const stroke = texelAt(t.mul(PLACES - 1).add(0.5), shape.add(0.5));
-    const fromEnd = min(t, t.oneMinus()).toVar();
-    const widened = stroke.y.add(row.widening.mul(min(fromEnd.mul(WIDENED_ENDS), 1)));
-    const halfWidth = widened
-      .mul(min(there.div(WIDE_FROM), 1))
-      .mul(spacing)
-      .toVar();
-    // Blunt ends are round, as the tip of a pen leaves them.
-    const cellLength = select(isPair, period.mul(2), period);
-    const toEnd = fromEnd.mul(there).mul(size).mul(cellLength).div(perPixelOfRow);
-    const cap = max(toEnd.div(max(halfWidth, 0.5)).oneMinus(), 0).toVar();
-    const rounded = halfWidth.mul(sqrt(cap.mul(cap).oneMinus())).toVar();
-    covered.assign(lineCoverage(spacing.mul(abs(aside.sub(stroke.x))), rounded, FRINGE));
+    const part: GrownPart = {
+      grown: grownAt(row.born, rank).toVar(),
+      ends: vec2(0, 1).toVar(),
+      widening: row.widening,
+    };
+    const { inShadow } = row;
+    if (inShadow && step) {
+      part.widening = row.widening.toVar();
+      const whole = row.way.mul(size).mul(cellLength).mul(step).toVar();
+      const widest = handReach.y.add(handReach.z).add(max(row.widening, inShadow.widening));
+      const isNear = spacing.mul(abs(aside).sub(widest)).lessThanEqual(FRINGE);
+      endAtShadows(part, { inShadow, isNear, rank }, (at) => inShadow.middle.add(whole.mul(at.sub(inFull))));
+    }
+    there.assign(min(there, part.grown));
+    const { x: start, y: end } = part.ends;
+    // A stroke that is not there in full is shorter, and ends as the hand ends it.
+    const t = inFull.sub(0.5).div(there).add(0.5).sub(start).div(end.sub(start)).toVar();
+    If(there.greaterThan(0).and(t.greaterThan(0)).and(t.lessThan(1)), () => {
+      const ofRank = mix(isDark.mul(0.5), 1, rank).mul(1 - SHAPES_OF_RANK);
+      const chosen = ofRank.add(fract(chance.mul(SHAPE_HASH)).mul(SHAPES_OF_RANK));
+      const shape = min(floor(handReach.x.mul(chosen)), handReach.x.sub(1));
+      const stroke = texelAt(t.mul(PLACES - 1).add(0.5), shape.add(0.5));
+      const fromEnd = min(t, t.oneMinus()).toVar();
+      const widened = stroke.y.add(part.widening.mul(min(fromEnd.mul(WIDENED_ENDS), 1)));
+      const halfWidth = widened
+        .mul(min(there.div(WIDE_FROM), 1))
+        .mul(spacing)
+        .toVar();
+      // Blunt ends are round, as the tip of a pen leaves them.
+      const toEnd = fromEnd.mul(there).mul(end.sub(start)).mul(size).mul(cellLength).div(perPixelOfRow);
+      const cap = max(toEnd.div(max(halfWidth, 0.5)).oneMinus(), 0).toVar();
+      const rounded = halfWidth.mul(sqrt(cap.mul(cap).oneMinus())).toVar();
+      covered.assign(lineCoverage(spacing.mul(abs(aside.sub(stroke.x))), rounded, FRINGE));
+    });
   });
   return covered;
+}
+
+/** How far a stroke has grown, the two ends of the part of it that shadows leave, and what is added to its half widths. */
+interface GrownPart {
+  grown: Value;
+  ends: Value;
+  widening: Value;
+}
+
+/**
+ * Ends a stroke at the edges of shadows.
+ *
+ * @param part variables, as far as no shadow falls; they are changed
+ * @param isNear whether the stroke may touch the pixel
+ * @param placeAt a place along the stroke in full, from 0 to 1; view space
+ */
+function endAtShadows(
+  { grown, ends, widening }: GrownPart,
+  { inShadow, isNear, rank }: { inShadow: ShadedRow; isNear: Value; rank: Value },
+  placeAt: (at: Value) => Value,
+): void {
+  const shaded = grownAt(inShadow.born, rank).toVar();
+  const isOther = grown.notEqual(shaded).or(widening.notEqual(inShadow.widening));
+  If(isNear.and(isOther), () => {
+    const shadows = vec3(0).toVar();
+    Loop({ start: int(0), end: int(3), type: 'int', condition: '<', name: 'third' }, ({ third }) => {
+      const there = inShadow.shadowAt(placeAt(float(third).add(0.5).div(3)).toVar());
+      const isThird = (i: number): Value => select(third.equal(int(i)), there, float(0));
+      shadows.addAssign(vec3(isThird(0), isThird(1), isThird(2)));
+    });
+    // Of three thirds, those before the first and after the last that is there are gone.
+    const thirds = mix(vec3(grown), vec3(shaded), shadows).toVar();
+    grown.assign(max(thirds.x, max(thirds.y, thirds.z)));
+    const gone = thirds.div(max(grown, 1e-6)).oneMinus().toVar();
+    const lost = vec2(gone.x, gone.z).mul(gone.y.add(1)).div(3).toVar();
+    // What is left is no fleck, but half a stroke at least.
+    lost.mulAssign(min(float(0.5).div(max(lost.x.add(lost.y), 0.5)), 1));
+    ends.assign(vec2(lost.x, lost.y.oneMinus()));
+    widening.assign(mix(widening, inShadow.widening, dot(shadows, vec3(1 / 3))));
+  });
 }
 
 /** How a family draws a tone. */
@@ -293,6 +422,22 @@ function drawnAs(tone: Value, filled: Value, young: Value): Drawn {
   return { bornOld: bornBelow(drawn.x), bornYoung: bornBelow(young.mul(drawn.x).toVar()), widening: drawn.y };
 }
 
+/** A row in shadows. @param away distance from it, in units of the family's function */
+function shadedRow(
+  { castShadows }: HatchingParameters,
+  { onSurface }: Cells,
+  drawn: Drawn,
+  { isYoung, away }: Record<'isYoung' | 'away', Value>,
+): ShadedRow | null {
+  if (!castShadows || !onSurface) return null;
+  return {
+    born: select(isYoung, drawn.bornYoung, drawn.bornOld).toVar(),
+    widening: drawn.widening,
+    middle: positionView.sub(onSurface.stepAcross.mul(away)).toVar(),
+    shadowAt: (place) => castShadows.at(place, onSurface.normal),
+  };
+}
+
 /** The darkness of a family. */
 export function ruledLines(h: HatchingParameters, family: Family, tone: Value): Value {
   const trianglePerPixel = trianglePerPixelOf(family);
@@ -309,11 +454,15 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value): 
   const filled = float(1)
     .sub(cells.paired.mul(cells.longest.oneMinus()))
     .mul(1 - 0.5 * PAIR_TURN);
-  const drawn = drawnAs(tone, filled, young);
-  const isYoungThere = drawn.bornYoung.x.greaterThan(0).toVar();
+  const { castShadows } = h;
+  const drawn = drawnAs(castShadows ? tone.x : tone, filled, young);
+  const inShadow = castShadows ? drawnAs(tone.y, filled, young) : null;
+  const ofLight = drawn.bornYoung.x.greaterThan(0);
+  const isYoungThere = (inShadow ? ofLight.or(inShadow.bornYoung.x.greaterThan(0)) : ofLight).toVar();
   const isDark = select(isFirst(h, family), float(0), float(1)).toVar();
   const x = family.value.div(period).toVar();
-  const widest = handReach.y.add(handReach.z).add(drawn.widening);
+  const widening = inShadow ? max(drawn.widening, inShadow.widening) : drawn.widening;
+  const widest = handReach.y.add(handReach.z).add(widening);
   const reach = widest.add(float(FRINGE).div(spacing)).div(apart).toVar();
   const first = ceil(x.sub(reach).mul(2)).toVar();
   const lanes = select(handLanes.x.greaterThan(0), int(2), int(1)).toVar();
@@ -345,6 +494,7 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value): 
         ofLane: select(isSecond, uint(THIRD_FACTOR), uint(0)).toVar(),
         late: select(isSecond, handLanes.y, float(0)).toVar(),
         born: select(isYoung, drawn.bornYoung, drawn.bornOld).toVar(),
+        inShadow: inShadow && shadedRow(h, cells, inShadow, { isYoung, away: aside.mul(period).toVar() }),
       };
       // The places of the nearest point of the row: strokes end straight across their rows.
       const places = cells.places.sub(cells.askew.mul(aside.mul(period))).toVar();
@@ -352,7 +502,8 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value): 
         blank.mulAssign(strokeCoverage(row, cells, counted, isDark, spacing).oneMinus());
       };
       const { share, perPixelOfRow, isOfForm } = cells;
-      if (isOfForm) print({ place: places.x, share, perPixelOfRow: perPixelOfRow.x });
+      const steps = cells.onSurface?.steps ?? null;
+      if (isOfForm) print({ place: places.x, share, perPixelOfRow: perPixelOfRow.x, step: steps?.[0] ?? null });
       else {
         Loop({ start: int(0), end: int(2), type: 'int', condition: '<', name: 'axis' }, ({ axis }) => {
           const isOfFirst = axis.equal(int(0)).toVar();
@@ -361,6 +512,7 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value): 
               place: select(isOfFirst, places.x, places.y).toVar(),
               share: select(isOfFirst, share, share.oneMinus()).toVar(),
               perPixelOfRow: select(isOfFirst, perPixelOfRow.x, perPixelOfRow.y).toVar(),
+              step: steps && select(isOfFirst, steps[0], steps[1]).toVar(),
             });
           });
         });

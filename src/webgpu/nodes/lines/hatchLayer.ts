@@ -22,6 +22,10 @@ export interface Printing {
   printFamily: FamilyPrinter;
 }
 
+/** The ink of a tone, or of both tones of strokes that end at shadows; one number stands for two equal ones. */
+const inkOf = ({ castShadows }: HatchingParameters, tones: Value): Value =>
+  castShadows ? tones.x.add(tones.y) : tones;
+
 /** The angle of the families that cross in the darks. */
 const leanOfDarks = (): Lean => [layerTurns.x.toVar(), layerTurns.y.toVar()];
 
@@ -41,7 +45,7 @@ export function families(
   const blankC = crossing.oneMinus().div(max(blankB, 1e-4)).toVar();
   const blank = float(1).toVar();
   const print = (tone: Value, least: number, family: () => Family): void => {
-    If(tone.greaterThan(least), () => {
+    If(inkOf(h, tone).greaterThan(least), () => {
       blank.mulAssign(printFamily(h, family(), handTone(h.pressure, tone).toVar()).oneMinus());
     });
   };
@@ -53,8 +57,10 @@ export function families(
 }
 
 /** Fades lines into an even grey of their tone where they would shimmer. */
-const contrasted = (tone: Value, darkness: Value): Value =>
-  select(tone.greaterThanEqual(1), 1, mix(tone, darkness, lineContrast));
+function contrasted({ castShadows }: HatchingParameters, tones: Value, darkness: Value): Value {
+  const tone = castShadows ? mix(tones.x, tones.y, castShadows.takenHere) : tones;
+  return select(tone.greaterThanEqual(1), 1, mix(tone, darkness, lineContrast));
+}
 
 /** All families together leave as much blank as the tone does. */
 export function hatchLayer(h: HatchingParameters, tone: Value, { isPen, printFamily }: Printing): Value {
@@ -69,7 +75,7 @@ export function hatchLayer(h: HatchingParameters, tone: Value, { isPen, printFam
     const those = families(h, first, second, { printFamily, lean: leanOfDarks() }).oneMinus();
     darkness = those.mul(families(h, null, third, { printFamily, lean: leanBack() }).oneMinus()).oneMinus();
   } else darkness = families(h, first, others, { printFamily, lean: leanOfDarks() });
-  return contrasted(tone, darkness);
+  return contrasted(h, tone, darkness);
 }
 
 /**
@@ -78,4 +84,4 @@ export function hatchLayer(h: HatchingParameters, tone: Value, { isPen, printFam
  */
 
 export const shadowLayer = (h: HatchingParameters, tone: Value, { printFamily }: Printing): Value =>
-  contrasted(tone, families(h, null, tone, { printFamily, lean: leanBack() }));
+  contrasted(h, tone, families(h, null, tone, { printFamily, lean: leanBack() }));

@@ -9,6 +9,7 @@ import { type Input, tsl, type Value } from '../base/values.js';
 import { readViewToAnchor } from '../chunks/anchor.js';
 import { followsForm } from '../chunks/lightOrientation.js';
 import { centreOfScreen, type ScreenMap, screenGradient, viewUnitsPerPixel } from '../chunks/screenGradient.js';
+import type { CastShadows } from '../chunks/strokeShadows.js';
 import { objectToField } from './emit.js';
 import {
   across,
@@ -70,6 +71,8 @@ export interface Family {
 export interface LinesInShadow {
   lights: readonly Light[];
   receivedShadows: readonly ReceivedShadow[];
+  /** The shadows at whose edges strokes end; undefined where edges cut strokes. */
+  castShadows: CastShadows | undefined;
   /** The share of the shadows' tone that is left where shadows alone are drawn; null elsewhere. */
   shadowLeft: Value | null;
 }
@@ -78,12 +81,10 @@ export interface LinesInShadow {
 export type Lean = readonly [cosine: Value, sine: Value];
 
 /** The parameters of engraving at a fragment: the functions whose level sets are lines, and their derivatives on the screen. */
-export interface HatchingParameters {
+export interface HatchingParameters extends LinesInShadow {
   onScreen: ScreenMap;
   /** What builds the shader. */
   builder: NodeBuilder;
-  /** The share of the shadows' tone that is left where shadows alone are drawn; null elsewhere. */
-  shadowLeft: Value | null;
   /** Pressure of the hand. */
   pressure: Value;
   /** The share to which the first family has lines here. */
@@ -169,8 +170,9 @@ const fieldAtFragment = (
 export function readCutLines(
   builder: NodeBuilder,
   choices: DirectionChoices,
-  { lights, receivedShadows, shadowLeft }: LinesInShadow,
+  shadows: LinesInShadow,
 ): HatchingParameters {
+  const { lights, receivedShadows } = shadows;
   const field = fieldAtFragment(builder, choices, lights, receivedShadows);
   const place = vFieldPoint.toVar();
   const normal = normalize(vFieldNormal).toVar();
@@ -195,7 +197,7 @@ export function readCutLines(
   return {
     onScreen,
     builder,
-    shadowLeft,
+    ...shadows,
     pressure: handPressure(waves).toVar(),
     firstShare,
     shareB,
@@ -233,8 +235,9 @@ const formValueAt = (form: Value, stray: Value): Value =>
 export function readFormLines(
   builder: NodeBuilder,
   { isAcross, technique }: { isAcross: boolean; technique: HatchingTechnique },
-  { lights, receivedShadows, shadowLeft }: LinesInShadow,
+  shadows: LinesInShadow,
 ): HatchingParameters {
+  const { lights, receivedShadows } = shadows;
   const first = vForm.toVar();
   const crossing = vFormCrossing.toVar();
   const [along, across] = isAcross ? [...COARSEST_OCTAVES].reverse() : COARSEST_OCTAVES;
@@ -262,7 +265,7 @@ export function readFormLines(
   return {
     onScreen,
     builder,
-    shadowLeft,
+    ...shadows,
     pressure: pressure.toVar(),
     firstShare: float(1),
     shareB: float(1),
@@ -302,8 +305,8 @@ export const read = (
   builder: NodeBuilder,
   choices: DirectionChoices,
   technique: HatchingTechnique,
-  shadow: LinesInShadow,
+  shadows: LinesInShadow,
 ): HatchingParameters =>
   followsForm(choices.direction)
-    ? readFormLines(builder, { isAcross: choices.direction === 'acrossForm', technique }, shadow)
-    : readCutLines(builder, choices, shadow);
+    ? readFormLines(builder, { isAcross: choices.direction === 'acrossForm', technique }, shadows)
+    : readCutLines(builder, choices, shadows);
