@@ -64,12 +64,15 @@ export const drawLineFile: SaveDrawing<LineFile> = (viewport, settings, name, re
     return { drawing, name, sentence: [saved, ...remarks].join(' ') };
   });
 
-/** What has a layer of its own, or the pens of the user. */
-function pensOf({ picturePens, picturePen: width, ...pens }: Settings): DrawSVGOptions['pens'] {
-  const { picturePenA, picturePenB, picturePenC } = pens;
+/** What has a layer of its own, or the pens of the user with their widths. Of pens of one colour the first counts. */
+function pensOf({ picturePens, ...settings }: Settings): DrawSVGOptions['pens'] {
   if (picturePens !== 'two' && picturePens !== 'three') return picturePens;
-  const colors = [picturePenA, picturePenB, ...(picturePens === 'three' ? [picturePenC] : [])];
-  return [...new Set(colors)].map((color) => ({ color, width }));
+  const pens = [
+    { color: settings.picturePenA, width: settings.picturePenWidthA },
+    { color: settings.picturePenB, width: settings.picturePenWidthB },
+    { color: settings.picturePenC, width: settings.picturePenWidthC },
+  ].slice(0, picturePens === 'two' ? 2 : 3);
+  return pens.filter(({ color }, i) => pens.findIndex((pen) => pen.color === color) === i);
 }
 
 /** How long the lines of a pen are, and how long an AxiDraw takes for them. */

@@ -37,6 +37,8 @@ const INCHES = { kind: 'number', when: OWN_INCHES, default: 8, unit: 'in', min: 
 
 const PLOTTED = { pictureSvg: ['pen'] };
 const OWN_PENS = { ...PLOTTED, picturePens: ['two', 'three'] };
+const THIRD_PEN = { ...PLOTTED, picturePens: ['three'] };
+const PEN_WIDTH = { kind: 'number', default: 0.3, unit: 'mm', min: 0.1, max: 2, step: 0.05 } as const;
 
 /** The saved picture. */
 export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
@@ -111,22 +113,15 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
     },
   },
   picturePenA: { kind: 'color', label: 'First pen', when: OWN_PENS, default: '#1c1a17' },
+  picturePenWidthA: { ...PEN_WIDTH, label: 'Its width', when: OWN_PENS },
   picturePenB: { kind: 'color', label: 'Second pen', when: OWN_PENS, default: '#c0282c' },
-  picturePenC: {
-    kind: 'color',
-    label: 'Third pen',
-    when: { ...PLOTTED, picturePens: ['three'] },
-    default: '#2a5ca8',
-  },
+  picturePenWidthB: { ...PEN_WIDTH, label: 'Its width', when: OWN_PENS },
+  picturePenC: { kind: 'color', label: 'Third pen', when: THIRD_PEN, default: '#2a5ca8' },
+  picturePenWidthC: { ...PEN_WIDTH, label: 'Its width', when: THIRD_PEN },
   picturePen: {
-    kind: 'number',
+    ...PEN_WIDTH,
     label: 'Width of pens',
-    when: PLOTTED,
-    default: 0.3,
-    unit: 'mm',
-    min: 0.1,
-    max: 2,
-    step: 0.05,
+    when: { ...PLOTTED, picturePens: ['layer', 'ink', 'material', 'part'] },
   },
   pictureMargin: {
     kind: 'number',

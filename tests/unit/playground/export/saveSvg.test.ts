@@ -40,10 +40,12 @@ test('a print has filled paths on its paper, and a pen has lines of its width on
   expect(pen.asked).not.toHaveProperty('paper');
 });
 
-test('the layers of a plot are chosen, or its pens by their colours, each once', async () => {
+test('the layers of a plot are chosen, or its pens by their colours and widths, each once', async () => {
   const plot: Partial<Settings> = {
     pictureSvg: 'pen',
-    picturePen: 0.4,
+    picturePenWidthA: 0.4,
+    picturePenWidthB: 0.7,
+    picturePenWidthC: 0.2,
     picturePenA: '#000000',
     picturePenB: '#ff0000',
     picturePenC: '#000000',
@@ -52,10 +54,12 @@ test('the layers of a plot are chosen, or its pens by their colours, each once',
   expect(await pens('material')).toBe('material');
   const [black, red] = [
     { color: '#000000', width: 0.4 },
-    { color: '#ff0000', width: 0.4 },
+    { color: '#ff0000', width: 0.7 },
   ];
   expect(await pens('two')).toEqual([black, red]);
   expect(await pens('three')).toEqual([black, red]);
+  const blue = await saved({ ...plot, picturePens: 'three', picturePenC: '#0000ff' });
+  expect(blue.asked.pens).toEqual([black, red, { color: '#0000ff', width: 0.2 }]);
   expect((await saved({ pictureSvg: 'print', picturePens: 'two' })).asked).not.toHaveProperty('pens');
 });
 

@@ -102,6 +102,7 @@ describe('a setting has an effect', () => {
         occlusion: 50,
       },
       { technique: 'adjacencyCrisp', pictureSvg: 'pen', picturePens: 'three' },
+      { pictureSvg: 'pen', picturePens: 'ink' },
     ];
     const unused = SETTING_KEYS.filter((key) => !some.some((changes) => used(key, changes)));
     expect(unused).toEqual([]);
