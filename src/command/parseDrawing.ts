@@ -65,6 +65,8 @@ export interface DrawingOptions {
   refill: number | undefined;
   /** Whether each pen has a file of its own. */
   isSplit: boolean;
+  /** Whether a note in the margin tells of model, look and pens. */
+  note: boolean;
   /** What is written. */
   written: 'svg' | 'dxf';
   /** Whether a pen's lines are placed evenly or lie as on the canvas; undefined for even lines of a picture and the canvas's of frames. */
@@ -170,6 +172,7 @@ const OPTIONS = {
   pens: { type: 'string' },
   refill: { type: 'string' },
   split: { type: 'string' },
+  note: { type: 'boolean' },
   lines: { type: 'string' },
   shortest: { type: 'string' },
   'max-passes': { type: 'string' },
@@ -234,6 +237,7 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
                            to which colours are matched: a plotter pauses before it (default layer: each kind of lines)
   --refill <metres>        pauses after so many metres of line, as 40m, to fill the pen
   --split pen              a file for each pen
+  --note                   tells of the pens and their time in the margin, in a layer that plotters leave out
   --lines <even|canvas>    lines of a pen evenly apart, or just those of the canvas (default even; canvas for frames)
   --shortest <mm>          leaves out lines of a pen that are shorter, as each takes a lift (default 1)
   --max-passes <1|2|3>     leaves out lines and dots where pens have passed so often already (default 2)
@@ -328,6 +332,7 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     pens: penLayers(values.pens),
     refill: metresOf('refill', values.refill),
     isSplit: choice('split', values.split, ['pen']) === 'pen',
+    note: values.note ?? false,
     lines: choice('lines', values.lines, ['even', 'canvas']),
     shortest: number('shortest', values.shortest, { least: 0, most: 1000 }),
     maxPasses: passesOf(values['max-passes']),
@@ -342,6 +347,8 @@ export function parseDrawing(args: readonly string[]): DrawRequest {
     throw new UsageError(
       '--split pen writes several SVG files; name a file that ends in .svg, or a folder, after --out.',
     );
+  if (options.note && written === 'dxf')
+    throw new UsageError('--note is text of an SVG file; leave it out, or name a file that ends in .svg.');
   const jobs = whole('jobs', values.jobs, 64) ?? DEFAULTS.jobs;
   return { action: 'draw', models, out: values.out, force: values.force ?? false, jobs, options };
 }
@@ -352,7 +359,7 @@ function passesOf(text: string | undefined): number | undefined {
 }
 
 /** Options that only a pen's drawing has, and that ask for one. */
-const PEN_OPTIONS = ['pen', 'pens', 'refill', 'split'] as const;
+const PEN_OPTIONS = ['pen', 'pens', 'refill', 'split', 'note'] as const;
 
 /** Whether DXF is written, by the name of the file or the format. */
 const isDxf = ({ out, format }: { out?: string | undefined; format?: string | undefined }): boolean =>

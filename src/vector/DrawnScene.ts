@@ -116,6 +116,8 @@ export interface DrawingPlan {
   isSplit: boolean;
   /** Whether a DXF file is written, too. */
   hasDxf: boolean;
+  /** The words of the user in a note, which tells of pens, too; null for no note. */
+  note: string | null;
   paper: string | null;
   /** Duration of the animation in seconds; null for a still drawing. */
   animate: number | null;

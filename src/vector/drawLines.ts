@@ -9,6 +9,7 @@ import { Projection } from './Projection.js';
 import { finishDots } from './paths/finishDots.js';
 import { finishPaths, joinedInk, type PathCounts, type Placement, type WrittenPath } from './paths/finishPaths.js';
 import { limitPasses, type Penned } from './plot/limitPasses.js';
+import { noteLines } from './plot/noteLines.js';
 import { type FileLayer, fileLayers } from './plot/penLayers.js';
 import { LAYERS, type PenPart, penWidth, thickestPen } from './plot/pens.js';
 import { plotTimes } from './plot/plotTime.js';
@@ -157,7 +158,7 @@ function written(
   for (const layer of layers)
     for (const name of Object.keys(counts) as (keyof PathCounts)[]) counts[name] += layer[name];
   const svgLayers = plotterLayers(finished, pens);
-  const sheet = { ...plan, picture };
+  const sheet = { ...plan, picture, note: plan.note === null ? [] : noteLines(plan.note, layers) };
   return {
     svg: plotterFile(svgLayers, pens, sheet),
     files: plan.isSplit ? filesOfPens(svgLayers, sheet) : [],

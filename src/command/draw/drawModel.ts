@@ -259,7 +259,7 @@ async function drawFrames(
   },
 ): Promise<void> {
   const { kind, pen, pens, refill, isSplit, written, lines, shortest, maxPasses, margin, dpi, ...others } = options;
-  const { paper, order, hidden, animate } = others;
+  const { paper, order, hidden, animate, note, preset } = others;
   const told = new Set<string>();
   for (let frame = 0; frame < frames; frame++) {
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
@@ -276,6 +276,7 @@ async function drawFrames(
         lines: lines ?? (frames > 1 ? 'canvas' : 'even'),
         ...{ shortest, maxPasses },
         dxf: written === 'dxf',
+        note: note && (preset === undefined ? name : `${name}, ${preset}`),
       }),
       ...(isSplit && { split: 'pen' }),
       ...(paper !== undefined && { paper }),

@@ -49,7 +49,11 @@ export const drawLineFile: SaveDrawing<LineFile> = (viewport, settings, name, re
     camera.setViewOffset(within.viewWidth, within.viewHeight, within.left, within.top, within.width, within.height);
     const drawing = await drawSVG(viewport.scenery.scene, camera, {
       kind: settings.pictureSvg,
-      ...(isPen && { penWidth: settings.picturePen, pens: pensOf(settings) }),
+      ...(isPen && {
+        penWidth: settings.picturePen,
+        pens: pensOf(settings),
+        note: settings.pictureNote === 'pens' && name,
+      }),
       // A plotter would draw the border of the paper.
       ...(!isPen && settings.pictureGround === 'paper' && { paper: settings.paper }),
       ...{ sheet, margin, picture, signal },

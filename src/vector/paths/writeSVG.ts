@@ -26,6 +26,10 @@ export interface SVGSheet {
   picture: { url: string; x: number; y: number; width: number; height: number } | null;
   /** Duration of the animation in seconds; null for a still drawing. */
   animate: number | null;
+  /** The blank margin, millimetres. */
+  margin: number;
+  /** Lines of text in the lower margin, in a layer that plotters leave out. */
+  note: readonly string[];
 }
 
 const INKSCAPE = 'http://www.inkscape.org/namespaces/inkscape';
@@ -34,7 +38,8 @@ const INKSCAPE = 'http://www.inkscape.org/namespaces/inkscape';
 const millimetres = (value: number): string => String(Number(value.toFixed(3)));
 
 /** Writes a drawing as an SVG document. Empty layers are omitted, and the others numbered, as programs for plotters require. */
-export function writeSVG({ width, height, paper, picture, animate }: SVGSheet, layers: readonly SVGLayer[]): string {
+export function writeSVG(sheet: SVGSheet, layers: readonly SVGLayer[]): string {
+  const { width, height, paper, picture, animate } = sheet;
   const [w, h] = [millimetres(width), millimetres(height)];
   const lines = [
     `<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="${INKSCAPE}" width="${w}mm" height="${h}mm" viewBox="0 0 ${w} ${h}">`,
@@ -61,10 +66,27 @@ export function writeSVG({ width, height, paper, picture, animate }: SVGSheet, l
     for (const path of paths) lines.push(`<path d="${path.data}"${clock?.attributesOf(path) ?? ''}/>`);
     lines.push('</g>');
   }
-  return `${[...lines, '</svg>'].join('\n')}\n`;
+  return `${[...lines, ...noteOf(sheet), '</svg>'].join('\n')}\n`;
 }
 
-/** A text as the value of an attribute. Characters that XML does not know are left out. */
+/** The size of the text of a note, and the least one, millimetres. */
+const NOTE_SIZE = 2.5;
+const LEAST_NOTE_SIZE = 1;
+
+/** The layer of a note: the software of the AxiDraw leaves out layers whose names begin with `%`, and vpype leaves out text. */
+function noteOf({ height, margin, note }: SVGSheet): string[] {
+  if (note.length === 0) return [];
+  const size = Math.min(Math.max(margin / (note.length + 1), LEAST_NOTE_SIZE), NOTE_SIZE);
+  const [x, top] = [Math.max(margin, size), height - (note.length - 0.5) * size];
+  const look = `fill="#777777" font-family="sans-serif" font-size="${millimetres(0.8 * size)}"`;
+  return [
+    `<g id="note" inkscape:groupmode="layer" inkscape:label="% note" ${look}>`,
+    ...note.map((line, i) => `<text x="${millimetres(x)}" y="${millimetres(top + i * size)}">${escaped(line)}</text>`),
+    '</g>',
+  ];
+}
+
+/** A text as the content of an element or the value of an attribute. Characters that XML does not know are left out. */
 const escaped = (text: string): string =>
   text.replace(/[\p{Cc}\p{Cs}\uFFFE\uFFFF]/gu, '').replace(/[&<>"]/g, (found) => `&#${found.charCodeAt(0)};`);
 

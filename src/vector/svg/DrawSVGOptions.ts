@@ -41,6 +41,11 @@ export interface DrawSVGOptions extends TaskOptions {
   plotter?: PlotterName | PlotterSpeeds | undefined;
   /** `'pen'`: the result has a file for each pen, too, with `kind: 'pen'`. Default: none. */
   split?: 'pen' | undefined;
+  /**
+   * With `kind: 'pen'`, text in the lower margin that plotters leave out, in a layer whose name begins with `%`: the pen, the paths, their length and the time
+   * of each layer, below words of your own if a text is given. Default: false.
+   */
+  note?: boolean | string | undefined;
   /** Whether the result has the drawing in DXF, too, with `kind: 'pen'`. Default: false. */
   dxf?: boolean | undefined;
   /**
@@ -118,6 +123,7 @@ const FOR_PENS = {
   refill: 'A print needs no ink again',
   plotter: 'A print takes no time to plot',
   split: 'A print has no pens',
+  note: 'A print has no pens to tell of',
   dxf: 'A print is made of areas',
 } as const;
 
@@ -130,6 +136,7 @@ const NAMES = {
   refill: true,
   plotter: true,
   split: true,
+  note: true,
   dxf: true,
   lines: true,
   shortest: true,
@@ -179,6 +186,7 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
     pens: isPen ? pensOf(options) : null,
     plotter: plotterOf(options.plotter ?? 'axidraw'),
     isSplit: isSplit(options.split),
+    note: noteOf(options.note ?? false),
     hasDxf: checkBoolean('dxf', options.dxf ?? false),
     lines: isPen ? (options.lines ?? 'even') : 'canvas',
     shortest: checkNumber('shortest', options.shortest ?? 1, { from: 0 }, 'drawSVG'),
@@ -268,6 +276,12 @@ function isSplit(split: unknown): boolean {
 function checkBoolean(name: string, value: unknown): boolean {
   if (typeof value === 'boolean') return value;
   throw new TypeError(`drawSVG: ${name} is ${String(value)}, but must be true or false.`);
+}
+
+function noteOf(note: boolean | string): string | null {
+  if (typeof note === 'string') return note;
+  if (typeof note === 'boolean') return note ? '' : null;
+  throw new TypeError(`drawSVG: note is ${String(note)}, but must be true, false or a text.`);
 }
 
 function secondsOf(animate: number | boolean): number | null {

@@ -216,6 +216,7 @@ test.each([
   [[...OUT, '--view', '0x10 0'], '--view is "0x10 0", but must be two numbers'],
   [[...OUT, '--sheet', ''], '--sheet is "", but must be A0'],
   [[...OUT, '--pens', '0.3'], '--pens is 0.3, but must be layer, ink, material or part, or colours with widths'],
+  [['a.glb', '--out', 'a.dxf', '--note'], '--note is text of an SVG file; leave it out'],
   [[...OUT, '--refill', 'full'], '--refill is full, but must be a number of metres above 0, as 40m.'],
   [[...OUT, '--split', 'ink'], '--split is ink, but must be pen.'],
   [[...OUT, '--kind', 'print', '--pens', 'ink'], '--pens and --kind print exclude each other; pass only one of them.'],

@@ -123,6 +123,13 @@ export const PICTURE_SETTINGS = inGroup('Picture', 'output', {
     label: 'Width of pens',
     when: { ...PLOTTED, picturePens: ['layer', 'ink', 'material', 'part'] },
   },
+  pictureNote: {
+    kind: 'choice',
+    label: 'Note',
+    when: PLOTTED,
+    default: 'none',
+    choices: { none: 'None', pens: 'Pens and times, in the margin' },
+  },
   pictureMargin: {
     kind: 'number',
     label: 'SVG margin',

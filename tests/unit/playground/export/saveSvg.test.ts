@@ -38,6 +38,9 @@ test('a print has filled paths on its paper, and a pen has lines of its width on
   const pen = await saved({ pictureSvg: 'pen', picturePen: 0.5 });
   expect(pen.asked).toMatchObject({ kind: 'pen', penWidth: 0.5 });
   expect(pen.asked).not.toHaveProperty('paper');
+  expect(pen.asked.note).toBe(false);
+  const noted = await saved({ pictureSvg: 'pen', pictureNote: 'pens' });
+  expect(noted.asked.note).toBe('cube');
 });
 
 test('the layers of a plot are chosen, or its pens by their colours and widths, each once', async () => {

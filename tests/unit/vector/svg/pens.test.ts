@@ -82,6 +82,27 @@ describe('pens of a plotter', () => {
     );
   });
 
+  test('a note tells of the pens in a layer that plotters leave out, below words of its user', async () => {
+    const mesh = await ball('one', 0, 'white');
+    const plain = await draw([mesh], { pens: PENS });
+    const noted = await draw([mesh], { pens: PENS, note: 'a < b\n2nd line' });
+    const [, label, text] = /<g id="note"[^>]* inkscape:label="([^"]+)"[^>]*>([\s\S]*?)<\/g>\n/.exec(noted.svg)!;
+    expect(label).toBe('% note');
+    const lines = [...text.matchAll(/<text x="([\d.]+)" y="([\d.]+)">(.*?)<\/text>/g)];
+    const [{ paths, drawn }] = noted.layers;
+    expect(lines.map(([, , , line]) => line)).toEqual([
+      'a &#60; b',
+      '2nd line',
+      `black 0.3: 0.3 mm, ${paths.toLocaleString('en')} paths, ${(drawn / 1000).toFixed(2)} m, about 1 min`,
+    ]);
+    // All lines lie in the lower margin, one below the other.
+    const heights = lines.map(([, , y]) => Number(y));
+    expect(Math.min(...heights)).toBeGreaterThan(70);
+    expect(Math.max(...heights)).toBeLessThan(80);
+    expect(new Set(heights).size).toBe(3);
+    expect(noted.svg.replace(/<g id="note"[\s\S]*?<\/g>\n/, '')).toBe(plain.svg);
+  });
+
   test('a mesh of several colours is shared among pens', async () => {
     const found = layersOf((await draw([await twoColoured()], { pens: PENS })).svg);
     expect(found.map(({ label }) => label.replace(/^!?\d+(\+S\d+)? - /, ''))).toEqual(['red 0.5', 'ink of my pen 0.2']);
