@@ -23,6 +23,8 @@ export interface ReceivedShadow {
   passing: number;
   /** The share of the shadow's tone that has not dissolved; less than 1 only on a ground. */
   left: number;
+  /** Whether the place lies within a soft edge. */
+  isEdge: boolean;
 }
 
 /** Farther than any light. */
@@ -33,8 +35,15 @@ const { EDGE_SAMPLES: RAYS, RIM_SAMPLES: RIM } = SHADOW_SAMPLES;
 /** Rays that start beside a place start in its tangent plane, unless its cosine to the light is less than this. */
 const LEAST_LEAN = 0.25;
 
-export const LIT: ReceivedShadow = { passing: 1, left: 1 };
+export const LIT: ReceivedShadow = { passing: 1, left: 1, isEdge: false };
+/** Where no light arrives. */
+export const SHADED: ReceivedShadow = { passing: 0, left: 1, isEdge: false };
 const MIDDLE: readonly [number, number] = [0, 0];
+
+const shadowWith = (passing: number, left: number): ReceivedShadow => ({
+  ...{ passing, left },
+  isEdge: passing > 0 && passing < 1,
+});
 
 /** Points on the unit disc in a sunflower pattern, outermost first, so that those of the rim lie evenly around it. */
 const DISC = Array.from({ length: RAYS }, (_, i): readonly [number, number] => {
@@ -99,19 +108,23 @@ export class ShadowRays {
    *
    * @param direction towards the lamp, unit, and `length`, its distance; Infinity for directional lights
    * @param ground look of a ground that shows shadows alone; null for a body
+   * @param isSoft false for one ray, which tells the same outside of soft edges
    */
   shadowOf(
     lamp: Lamp,
     shadow: LampShadow,
     place: { world: Vec3; normal: Vec3; direction: Vec3; length: number },
     ground: GroundLook | null,
+    isSoft = this.isSoft,
   ): ReceivedShadow {
     const { world, normal, direction, length } = place;
     const width = widthAt(lamp, shadow, direction, length);
     const from = ground ? world : combined(1, world, this.bias, normal);
     const bundle = bundleOf(from, normal, direction, length);
-    const found = ground ? this.onGround(bundle, shadow, ground, width) : this.onBody(bundle, shadow, width);
-    return { passing: 1 - shadow.intensity * (1 - found.passing), left: found.left };
+    const found = ground
+      ? this.onGround(bundle, shadow, ground, width, isSoft)
+      : this.onBody(bundle, shadow, width, isSoft);
+    return { ...found, passing: 1 - shadow.intensity * (1 - found.passing) };
   }
 
   /** The share of the light of a lamp that passes to a place of a body, with a hard edge. Its place is that of `shadowOf`. */
@@ -123,27 +136,33 @@ export class ShadowRays {
     return this.isMet(bundle, MIDDLE, 0, 0, 0) ? 1 - intensity : 1;
   }
 
-  private onBody(bundle: Bundle, shadow: LampShadow, width: number): ReceivedShadow {
-    if (this.isSoft) return { passing: this.passing(bundle, mapSoftness(shadow, bundle.end, width), 0, 0), left: 1 };
-    return this.isMet(bundle, MIDDLE, 0, 0, 0) ? { passing: 0, left: 1 } : LIT;
+  private onBody(bundle: Bundle, shadow: LampShadow, width: number, isSoft: boolean): ReceivedShadow {
+    if (!isSoft) return this.isMet(bundle, MIDDLE, 0, 0, 0) ? SHADED : LIT;
+    return shadowWith(this.passing(bundle, mapSoftness(shadow, bundle.end, width), 0, 0), 1);
   }
 
-  private onGround(bundle: Bundle, shadow: LampShadow, { fade, softness }: GroundLook, width: number): ReceivedShadow {
+  private onGround(
+    bundle: Bundle,
+    shadow: LampShadow,
+    { fade, softness }: GroundLook,
+    width: number,
+    isSoft: boolean,
+  ): ReceivedShadow {
     const texel = width / shadow.texels;
     const lift = LIFT * texel;
-    const opening = this.isSoft ? 0.5 * softness : 0;
+    const opening = isSoft ? 0.5 * softness : 0;
     const edge = softness > 0 ? Math.max(shadow.radius, THINNEST) * texel : mapSoftness(shadow, bundle.end, width);
-    const thinnest = this.isSoft ? edge : 0;
+    const thinnest = isSoft ? edge : 0;
     const met = this.isMet(bundle, MIDDLE, 0, 0, lift)
       ? MIDDLE
-      : this.isSoft && DISC.slice(0, RIM).find((place) => this.isMet(bundle, place, thinnest, opening, lift));
+      : isSoft && DISC.slice(0, RIM).find((place) => this.isMet(bundle, place, thinnest, opening, lift));
     if (!met) return LIT;
     const reach = Math.min(width / Math.max(fade, 1 / FARTHEST_CASTER), TOWARDS_LAMP * bundle.end);
     const caster = this.casterAlong(bundle, met, met === MIDDLE ? 0 : thinnest, opening, reach);
     const left = Math.max(1 - (fade * caster) / width, 0);
-    if (left === 0 || !this.isSoft) return { passing: 0, left };
+    if (left === 0 || !isSoft) return shadowWith(0, left);
     // The edge is at least as wide as that of the map.
-    return { passing: this.passing(bundle, Math.max(thinnest - opening * caster, 0), opening, lift), left };
+    return shadowWith(this.passing(bundle, Math.max(thinnest - opening * caster, 0), opening, lift), left);
   }
 
   /** The visible share of a lamp, by rays that start within a spread around a place and open towards the lamp. */

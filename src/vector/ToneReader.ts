@@ -5,7 +5,7 @@ import { combined, dot, normalize, type Vec3 } from '../look/vectors.js';
 import type { Bvh } from './Bvh.js';
 import type { SurfacePlace } from './LineSurface.js';
 import { fadedPlace, type Projection } from './Projection.js';
-import { type LampShadow, LIT, type ReceivedShadow, ShadowRays } from './ShadowRays.js';
+import { type LampShadow, LIT, type ReceivedShadow, SHADED, ShadowRays } from './ShadowRays.js';
 import { fadingAt, type ObjectFading } from './shading/fading.js';
 import { type GroundLook, groundTone } from './shading/groundShadow.js';
 import { mirroredRoom } from './shading/metal.js';
@@ -56,14 +56,17 @@ export interface Tones {
   full: number;
   /** The lamps that are shadowed so much that lines turn, as bits. */
   turned: number;
+  /** The lamps that do not arrive at all, as bits; `IN_EDGE` where one arrives in part. */
+  dark: number;
 }
 
-/** Which shadows to assume: traced by rays, none, or those of all lamps. */
-export type Shadowing = 'traced' | 'none' | 'all';
+/** Where a lamp arrives in part. */
+export const IN_EDGE = -1;
+
+/** Which shadows to assume: traced by rays, each by one ray, none, or those of all lamps. */
+export type Shadowing = 'traced' | 'hard' | 'none' | 'all';
 
 const { LEAST_RESPONSE } = TONE_CONSTANTS;
-
-const SHADED: ReceivedShadow = { passing: 0, left: 1 };
 
 /** Computes the tone of a surface under the lights of a scene. */
 export class ToneReader {
@@ -105,8 +108,7 @@ export class ToneReader {
   read({ world, toneNormal, isPlane, occlusion, paint }: SurfacePlace, shadowing: Shadowing): Tones {
     const { look, projection } = this;
     const occluded = relativeOcclusion(occlusion, look.openOcclusion);
-    const { eye, backwards, isOrthographic } = projection;
-    const toViewer = isOrthographic ? backwards : normalize(combined(1, eye, -1, world));
+    const toViewer = this.toViewerFrom(world);
     let direct = 0;
     let shadowed = 0;
     let reflected = 0;
@@ -114,6 +116,7 @@ export class ToneReader {
     let taken = 0;
     let lost = 0;
     let turned = 0;
+    let dark = 0;
     const { lamps } = this.light;
     for (let i = 0; i < lamps.length; i++) {
       const lamp = lamps[i];
@@ -122,7 +125,9 @@ export class ToneReader {
       const sent = luminance * responseTo(look.model, toneNormal, direction, toViewer, look.shininess);
       if (sent <= 0) continue;
       const place = { world, normal: toneNormal, direction, length };
-      const { passing, left } = this.shadowOf(i, place, shadowing);
+      const { passing, left, isEdge } = this.shadowOf(i, place, shadowing);
+      if (isEdge || dark === IN_EDGE) dark = IN_EDGE;
+      else if (passing < 1) dark |= 1 << (i % 31);
       direct += passing * sent;
       shadowed += (1 - passing) * sent;
       shadows += (1 - passing) * left * 2 ** (i % 31);
@@ -145,14 +150,30 @@ export class ToneReader {
     const left = taken > 0 ? 1 - lost / taken : 1;
     if (look.ground) {
       const tone = weight * groundTone(open * direct + rest, open * shadowed, left, look, look.ground);
-      return { tone, unshadowed: 0, shadows, left, full: look.toneEnds[1] * look.ground.tone * left, turned };
+      return { tone, unshadowed: 0, shadows, left, full: look.toneEnds[1] * look.ground.tone * left, turned, dark };
     }
     const share = look.mirrored;
     const mirror = share > 0 ? { room: mirroredRoom(toneNormal, toViewer), share } : undefined;
     const toneOf = (radiance: number): number => weight * shadedTone(radiance, occluded, painted, mirror);
     const tone = toneOf(open * direct + rest);
     const unshadowed = shadowed > 0 ? toneOf(open * (direct + shadowed) + rest) : tone;
-    return { tone, unshadowed, shadows, left: 1, full: 0, turned };
+    return { tone, unshadowed, shadows, left: 1, full: 0, turned, dark };
+  }
+
+  /** The lamps that do not arrive at a place, as bits, by one ray to each: `dark` of its tones outside of soft edges. */
+  darkAt({ world, toneNormal }: SurfacePlace): number {
+    if (!this.hasShadows) return 0;
+    const { look } = this;
+    const toViewer = this.toViewerFrom(world);
+    let dark = 0;
+    for (const [i, lamp] of this.light.lamps.entries()) {
+      if (!this.light.shadows[i] || !lamp.castsShadow) continue;
+      const { direction, length, luminance } = arriving(lamp, world);
+      if (luminance * responseTo(look.model, toneNormal, direction, toViewer, look.shininess) <= 0) continue;
+      const place = { world, normal: toneNormal, direction, length };
+      if (this.shadowOf(i, place, 'hard').passing < 1) dark |= 1 << (i % 31);
+    }
+    return dark;
   }
 
   /**
@@ -163,8 +184,7 @@ export class ToneReader {
   takenAt({ world, toneNormal }: SurfacePlace, step: Vec3): number {
     const { look, projection } = this;
     const there = projection.stepped(world, step);
-    const { eye, backwards, isOrthographic } = projection;
-    const toViewer = isOrthographic ? backwards : normalize(combined(1, eye, -1, world));
+    const toViewer = this.toViewerFrom(world);
     let sum = 0;
     let taken = 0;
     for (const [i, lamp] of this.light.lamps.entries()) {
@@ -181,6 +201,11 @@ export class ToneReader {
     return sum > 0 ? taken / sum : 0;
   }
 
+  private toViewerFrom(world: Vec3): Vec3 {
+    const { eye, backwards, isOrthographic } = this.projection;
+    return isOrthographic ? backwards : normalize(combined(1, eye, -1, world));
+  }
+
   private shadowOf(
     i: number,
     place: { world: Vec3; normal: Vec3; direction: Vec3; length: number },
@@ -189,7 +214,9 @@ export class ToneReader {
     const lamp = this.light.lamps[i];
     const shadow = this.light.shadows[i];
     if (!shadow || !lamp.castsShadow || !this.look.receivesShadows || shadowing === 'none') return LIT;
-    return shadowing === 'all' ? SHADED : this.rays.shadowOf(lamp, shadow, place, this.look.ground);
+    if (shadowing === 'all') return SHADED;
+    const isSoft = shadowing === 'hard' ? false : this.light.isSoft;
+    return this.rays.shadowOf(lamp, shadow, place, this.look.ground, isSoft);
   }
 }
 

@@ -67,7 +67,7 @@ export function* readVertices(
 }
 
 /** The bound of the tones on a surface whose normals are modified by a map. */
-const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, full: 0, turned: 0 };
+const DARKEST: Tones = { tone: 1, unshadowed: 0.5, shadows: 0, left: 1, full: 0, turned: 0, dark: 0 };
 
 class VertexReader {
   private readonly shadowings: readonly Shadowing[];

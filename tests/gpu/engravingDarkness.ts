@@ -125,7 +125,7 @@ export function engravingDarkness(scene: EngravedScene, reference: HatchingRefer
     };
     const engraver = engraverFor(lights.filter((light) => !reference.turnsAway(light, [...toneNormal], inWorld)));
     const read = engraver.at(place);
-    const tones = { tone, unshadowed, shadows: 0, left: 1, full: 0, turned: 0 };
+    const tones = { tone, unshadowed, shadows: 0, left: 1, full: 0, turned: 0, dark: 0 };
     return (
       1 -
       engraver.families.reduce((blank, family) => {

@@ -125,7 +125,11 @@ function wantedTones(scene: Scene, camera: Camera, options: DrawSVGOptions): Wan
       const triangle = sheet.triangleAt(x, y);
       if (triangle < 0) continue;
       const surface = read[owners[triangle]];
-      tones[row * columns + column] = surface.tonesAt(surface.placeAt(x / scale, y / scale, triangle), triangle).tone;
+      tones[row * columns + column] = surface.tonesAt(
+        surface.placeAt(x / scale, y / scale, triangle),
+        triangle,
+        'traced',
+      ).tone;
     }
   }
   return { tones, columns, rows, size, left, top };

@@ -88,10 +88,20 @@ export class EvenSurface {
   }
 
   /** The tones at a place, lighter behind see-through surfaces. triangle: of the scene. */
-  tonesAt(place: SurfacePlace, triangle: number): Tones {
-    const tones = this.toneReader.read(place, this.toneReader.hasShadows ? 'traced' : 'none');
+  tonesAt(place: SurfacePlace, triangle: number, shadowing: 'traced' | 'hard'): Tones {
+    const tones = this.toneReader.read(place, this.toneReader.hasShadows ? shadowing : 'none');
     const left = this.translucency.transmittance(place.world, triangle);
     return left === 1 ? tones : { ...tones, tone: left * tones.tone, unshadowed: left * tones.unshadowed };
+  }
+
+  /** Whether tones depend on the light, the normal and the occlusion alone. */
+  get isPlain(): boolean {
+    return this.drawn.paint === null && this.scene.translucent.length === 0;
+  }
+
+  /** The lamps that do not arrive at a place, as bits, by one ray to each. */
+  darkAt(place: SurfacePlace): number {
+    return this.toneReader.darkAt(place);
   }
 
   /** The number of the engraver of the lines where some lights do not arrive. turned: those lights, as bits. */

@@ -1,5 +1,7 @@
 import { dot, type Vec3 } from '../../look/vectors.js';
+import { asPhase } from '../../mesh/phases.js';
 import { uphillOnPicture } from '../shading/screenGradient.js';
+import { IN_EDGE } from '../ToneReader.js';
 import type { EvenSurface } from './EvenSurface.js';
 import { LAYS, layTones } from './layTones.js';
 import type { Sheet } from './Sheet.js';
@@ -15,12 +17,30 @@ const STRIDE = 4;
 /** Cells that go on in each other: with the next on the right, and the one below. */
 const RIGHT = 1;
 const BELOW = 2;
-/** Cells per step. */
+/** Cells per step, and cells along a side of a block whose shadows are read together. */
 const CHUNK = 64;
+const BLOCK = 4;
+/** What no lamps that are dark have as their bits: a cell beside surfaces. */
+const NOTHING_THERE = -2;
+/** Corners of a block are alike up to this cosine between normals, difference of tones, and cosine between twice their directions. */
+const ALIKE = Math.cos(0.3);
+const TONES = 0.15;
+const TURN = Math.cos(0.5);
+/** A cell is as expected from this cosine between normals on, and up to this difference of occlusion. */
+const SMOOTH = Math.cos(0.08);
+const EVEN = 0.03;
 /** What is never read as a kind of cells. */
 const NOTHING = -1;
 /** Kinds of cells of each surface: one for every engraver, of which there are eight at most. */
 const KINDS = 8;
+
+/** What cells are read from, and the normals and the occlusion that they get. */
+interface Reading {
+  surfaces: readonly EvenSurface[];
+  owners: Int32Array;
+  normals: Float32Array;
+  occlusions: Float32Array;
+}
 
 /** The tones and directions of the lines of a scene on its sheet, in cells. Lengths in millimetres. */
 export class LineFields {
@@ -59,10 +79,13 @@ export class LineFields {
   static *of(sheet: Sheet, surfaces: readonly EvenSurface[], owners: Int32Array): Generator<number, LineFields, void> {
     const fields = new LineFields(sheet, surfaces);
     const normals = new Float32Array(3 * fields.kinds.length);
-    for (let row = 0; row < fields.rows; row++) {
-      for (let from = 0; from < fields.columns; from += CHUNK) {
-        yield (0.9 * row) / fields.rows;
-        fields.readRow(row, from, surfaces, owners, normals);
+    const occlusions = new Float32Array(fields.kinds.length);
+    const reading = { surfaces, owners, normals, occlusions };
+    const dark = yield* asPhase(fields.readCorners(reading), 0, 0.3);
+    for (let row = 0; row < fields.rows; row += BLOCK) {
+      for (let column = 0; column < fields.columns; column += BLOCK) {
+        if (column % CHUNK === 0) yield 0.3 + (0.6 * row) / fields.rows;
+        fields.readBlock(row, column, dark, reading);
       }
     }
     for (let row = 0; row < fields.rows; row++) {
@@ -134,42 +157,175 @@ export class LineFields {
     this.uy = Math.sign(sine || 1) * Math.sqrt(Math.max(0.5 - (0.5 * cosine) / (length || 1), 0));
   }
 
-  private readRow(
+  /** Reads the first cell of each block. Returns the lamps that are dark there; `NOTHING_THERE` beside surfaces. */
+  private *readCorners(reading: Reading): Generator<number, Int32Array, void> {
+    const { columns, rows } = this;
+    const across = Math.ceil(columns / BLOCK);
+    const dark = new Int32Array(across * Math.ceil(rows / BLOCK));
+    for (let i = 0; i < dark.length; i++) {
+      if (i % (CHUNK / BLOCK) === 0) yield i / dark.length;
+      dark[i] = this.readCell(BLOCK * Math.floor(i / across), BLOCK * (i % across), 'traced', reading);
+    }
+    return dark;
+  }
+
+  /**
+   * Reads the cells of a block but the first. Where the same lamps are dark at its corners, those of the next blocks, one ray to each lamp tells whether they are in
+   * all of it: no soft edge runs through the block then. Where all corners lie in soft edges, its middle tells whether the edge is as wide as the block.
+   */
+  private readBlock(row: number, column: number, dark: Int32Array, reading: Reading): void {
+    const { columns, rows } = this;
+    const across = Math.ceil(columns / BLOCK);
+    const corner = (row / BLOCK) * across + column / BLOCK;
+    const all = dark[corner];
+    const isInside = column + BLOCK < columns && row + BLOCK < rows;
+    const isOne =
+      isInside && all === dark[corner + 1] && all === dark[corner + across] && all === dark[corner + across + 1];
+    if (isOne && all !== NOTHING_THERE && this.fillRest(row, column, all, reading)) return;
+    if (isOne && all >= 0 && this.readRest(row, column, 'hard', all, reading)) return;
+    this.readRest(row, column, 'traced', null, reading);
+  }
+
+  /** Reads the cells of a block but the first, as long as the same lamps are dark. Returns whether they are. expected: those lamps; null for any. */
+  private readRest(
     row: number,
-    from: number,
-    surfaces: readonly EvenSurface[],
-    owners: Int32Array,
-    normals: Float32Array,
-  ): void {
-    const { columns, size, sheet, kinds, sets } = this;
-    for (let column = from; column < Math.min(from + CHUNK, columns); column++) {
-      const [x, y] = [column * size, row * size];
-      const triangle = sheet.triangles[row * SAMPLES * sheet.columns + column * SAMPLES];
-      if (triangle < 0) continue;
-      const owner = owners[triangle];
-      const surface = surfaces[owner];
-      const place = surface.placeAt(x / sheet.scale, y / sheet.scale, triangle);
-      const tones = surface.tonesAt(place, triangle);
-      const kind = surface.engraverIn(tones.turned);
-      const engraver = surface.engraver(kind);
-      const at = engraver.at(place);
-      const cell = row * columns + column;
-      kinds[cell] = KINDS * owner + kind;
-      for (let k = 0; k < 3; k++) normals[3 * cell + k] = place.toneNormal[k];
-      const lays = layTones(engraver, at, tones);
-      for (let set = 0; set < lays.length; set++) {
-        const laid = lays[set];
-        if (!laid) continue;
-        const [ux, uy] = uphillOnPicture(laid.gradient, at.smooth);
-        const numbers = sets[set];
-        const o = STRIDE * cell;
-        numbers[o] = laid.tone;
-        numbers[o + 1] = laid.density;
-        // Lines run across the way uphill; twice their angle does not tell their two ways apart.
-        numbers[o + 2] = uy * uy - ux * ux;
-        numbers[o + 3] = -2 * ux * uy;
+    column: number,
+    shadowing: 'traced' | 'hard',
+    expected: number | null,
+    reading: Reading,
+  ): boolean {
+    for (let y = row; y < Math.min(row + BLOCK, this.rows); y++) {
+      for (let x = column; x < Math.min(column + BLOCK, this.columns); x++) {
+        if (x === column && y === row) continue;
+        const found = this.readCell(y, x, shadowing, reading);
+        if (expected !== null && found !== expected) return false;
       }
     }
+    return true;
+  }
+
+  /**
+   * Fills the cells of a block but the first between its corners, if they are of one kind and alike. Returns false, with some of them filled, where a cell differs from
+   * what lies between the corners, in its surface, normal, occlusion or shadows; in soft edges, where its middle does in its tone.
+   */
+  private fillRest(row: number, column: number, dark: number, reading: Reading): boolean {
+    const { columns, kinds, sets, sheet, size } = this;
+    const { surfaces, owners, normals, occlusions } = reading;
+    const first = row * columns + column;
+    const kind = kinds[first];
+    const owner = Math.floor(kind / KINDS);
+    const surface = surfaces[owner];
+    if (!surface.isPlain || !this.areAlike(first, normals)) return false;
+    if (dark === IN_EDGE && !this.isWideEdge(row, column, first, reading)) return false;
+    for (let y = 0; y < BLOCK; y++) {
+      for (let x = 0; x < BLOCK; x++) {
+        if (x === 0 && y === 0) continue;
+        const cell = first + y * columns + x;
+        const triangle = sheet.triangles[(row + y) * SAMPLES * sheet.columns + (column + x) * SAMPLES];
+        if (triangle < 0 || owners[triangle] !== owner) return false;
+        const [atX, atY] = [((column + x) * size) / sheet.scale, ((row + y) * size) / sheet.scale];
+        const place = surface.placeAt(atX, atY, triangle);
+        this.between(normals, 3, first, x, y);
+        const { toneNormal: n } = place;
+        const cosine = n[0] * normals[3 * cell] + n[1] * normals[3 * cell + 1] + n[2] * normals[3 * cell + 2];
+        if (!(cosine > SMOOTH)) return false;
+        this.between(occlusions, 1, first, x, y);
+        if (Math.abs(occlusions[cell] - place.occlusion) > EVEN) return false;
+        if (dark !== IN_EDGE && surface.darkAt(place) !== dark) return false;
+        kinds[cell] = kind;
+        for (const numbers of sets) if (numbers.length > 0) this.between(numbers, STRIDE, first, x, y);
+      }
+    }
+    return true;
+  }
+
+  /** Whether the tones in the middle of a block lie between those of its corners. first: the cell at the first corner. */
+  private isWideEdge(row: number, column: number, first: number, reading: Reading): boolean {
+    const { sets, kinds } = this;
+    const half = BLOCK / 2;
+    const middle = first + half * (this.columns + 1);
+    this.readCell(row + half, column + half, 'traced', reading);
+    if (kinds[middle] !== kinds[first]) return false;
+    for (const numbers of sets) {
+      if (numbers.length === 0) continue;
+      const tone = numbers[STRIDE * middle];
+      this.between(numbers, STRIDE, first, half, half);
+      if (Math.abs(numbers[STRIDE * middle] - tone) > EVEN) return false;
+    }
+    return true;
+  }
+
+  /** Whether the corners of a block are of one kind, and their normals, tones and directions alike. */
+  private areAlike(first: number, normals: Float32Array): boolean {
+    const { kinds, sets, columns } = this;
+    for (const corner of [first + BLOCK, first + BLOCK * columns, first + BLOCK * (columns + 1)]) {
+      if (kinds[corner] !== kinds[first]) return false;
+      let cosine = 0;
+      for (let k = 0; k < 3; k++) cosine += normals[3 * corner + k] * normals[3 * first + k];
+      if (cosine < ALIKE) return false;
+      for (const numbers of sets) {
+        if (numbers.length === 0) continue;
+        const [a, b] = [STRIDE * first, STRIDE * corner];
+        if (Math.abs(numbers[a] - numbers[b]) > TONES || Math.abs(numbers[a + 1] - numbers[b + 1]) > TONES)
+          return false;
+        if (numbers[a] > 0 && numbers[a + 2] * numbers[b + 2] + numbers[a + 3] * numbers[b + 3] < TURN) return false;
+      }
+    }
+    return true;
+  }
+
+  /** Writes numbers of a cell of a block as bilinear between those of the corners. first: the cell at the first corner. */
+  private between(numbers: Float32Array, stride: number, first: number, x: number, y: number): void {
+    const { columns } = this;
+    const [u, v] = [x / BLOCK, y / BLOCK];
+    const a = stride * first;
+    const b = stride * (first + BLOCK);
+    const c = stride * (first + BLOCK * columns);
+    const d = c + stride * BLOCK;
+    const cell = stride * (first + y * columns + x);
+    for (let k = 0; k < stride; k++)
+      numbers[cell + k] =
+        (1 - v) * ((1 - u) * numbers[a + k] + u * numbers[b + k]) + v * ((1 - u) * numbers[c + k] + u * numbers[d + k]);
+  }
+
+  /** Reads a cell. Returns the lamps that are dark there, or `NOTHING_THERE`. */
+  private readCell(
+    row: number,
+    column: number,
+    shadowing: 'traced' | 'hard',
+    { surfaces, owners, normals, occlusions }: Reading,
+  ): number {
+    const { columns, size, sheet, kinds, sets } = this;
+    const [x, y] = [column * size, row * size];
+    const triangle = sheet.triangles[row * SAMPLES * sheet.columns + column * SAMPLES];
+    if (triangle < 0) return NOTHING_THERE;
+    const owner = owners[triangle];
+    const surface = surfaces[owner];
+    const place = surface.placeAt(x / sheet.scale, y / sheet.scale, triangle);
+    const tones = surface.tonesAt(place, triangle, shadowing);
+    const kind = surface.engraverIn(tones.turned);
+    const engraver = surface.engraver(kind);
+    const at = engraver.at(place);
+    const cell = row * columns + column;
+    kinds[cell] = KINDS * owner + kind;
+    for (let k = 0; k < 3; k++) normals[3 * cell + k] = place.toneNormal[k];
+    occlusions[cell] = place.occlusion;
+    for (const [set, laid] of layTones(engraver, at, tones).entries()) {
+      const numbers = sets[set];
+      if (numbers.length === 0) continue;
+      const o = STRIDE * cell;
+      if (!laid) {
+        numbers.fill(0, o, o + STRIDE);
+        continue;
+      }
+      const [ux, uy] = uphillOnPicture(laid.gradient, at.smooth);
+      numbers[o] = laid.tone;
+      numbers[o + 1] = laid.density;
+      // Lines run across the way uphill; twice their angle does not tell their two ways apart.
+      numbers[o + 2] = uy * uy - ux * ux;
+      numbers[o + 3] = -2 * ux * uy;
+    }
+    return tones.dark;
   }
 
   private joinRow(row: number, normals: Float32Array): void {

@@ -15,7 +15,7 @@ export interface LineStrokes {
 }
 
 /** Tones do not matter for where strokes begin and end but by the fields. */
-const BLANK: Tones = { tone: 0, unshadowed: 0, shadows: 0, left: 1, full: 0, turned: 0 };
+const BLANK: Tones = { tone: 0, unshadowed: 0, shadows: 0, left: 1, full: 0, turned: 0, dark: 0 };
 
 /** The strokes of a pen along a line; null where the line is drawn in one go. */
 export function strokesAlong(
