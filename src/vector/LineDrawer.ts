@@ -238,12 +238,13 @@ export class LineDrawer {
     }
   }
 
-  /** Surfaces by the widths of their pens: lines of one width are placed together. */
+  /** Surfaces by the widths of their pens: lines of one width are placed together, but those of a block for themselves. */
   private byPen(surfaces: readonly EngravedSurface[]): EngravedSurface[][] {
-    const groups = new Map<number, EngravedSurface[]>();
+    const groups = new Map<string, EngravedSurface[]>();
     for (const surface of surfaces) {
-      const width = this.pens!('lines', surface.ink);
-      groups.set(width, [...(groups.get(width) ?? []), surface]);
+      const isBlock = surface.engraved.technique === 'woodcut';
+      const key = `${this.pens!('lines', surface.ink)} ${isBlock}`;
+      groups.set(key, [...(groups.get(key) ?? []), surface]);
     }
     return [...groups.values()];
   }

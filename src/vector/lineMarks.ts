@@ -164,6 +164,12 @@ export function strokeOnLine(
   return { ...strokeAt(unrepeatedPen(measure, strokes), 1, line), uphill: strokes.uphill };
 }
 
+/** How far a place lies within the black of a woodcut, pixels; below 0 within a cut. */
+export function blackAround({ tone, perPixel, strokes }: FamilyMeasure): number {
+  if (!strokes || tone <= 0) return -1;
+  return Math.min(...besideCuts(strokes, tone, strokes.value)) / perPixel;
+}
+
 /** Numbers of placed lines do not repeat across seams. */
 const unrepeatedPen = (measure: FamilyMeasure, strokes: StrokePlace): Pen =>
   penOf(measure, { ...strokes, repeat: Infinity });
@@ -225,20 +231,23 @@ function blockBetweenCuts(
 ): LineMark {
   const band = Math.min(wanted - (line.rank + 1), line.rank + 2 - wanted) + OVERLAP;
   if (band <= 0 || tone <= 0) return NOTHING;
-  const { along, repeat, cutOctave } = strokes;
-  const middle = sameLine(strokes, line);
   const room = 2 ** line.rank;
-  const cut = cutFor(tone, along, repeat, cutOctave);
-  // Old cuts are multiples of a period, and new ones between them of its half.
-  const half = 2 ** (Math.ceil(cutOctave) - 1);
-  const oldRoom = 0.5 * powerOf2(cutOctave);
-  const below = half * Math.floor(middle / half);
-  const isOldBelow = Math.round(below / half) % 2 === 0;
-  const leftOf = (at: number, isOld: boolean): number =>
-    Math.abs(middle - at) - (isOld ? oldRoom : half - oldRoom) * cutWidth(cut, at);
-  const [down, up] = [leftOf(below, isOldBelow), leftOf(below + half, !isOldBelow)].map(
+  const [down, up] = besideCuts(strokes, tone, sameLine(strokes, line)).map(
     (left) => Math.min(left, room) / perPixel + (left >= room ? CLOSED_BY : 0),
   );
   const black = 0.5 * (down + up);
   return { half: black, margin: Math.min(black, band), shift: 0.5 * (up - down) };
+}
+
+/** How far a value lies from the edges of the cuts below and above it, in units of the function; below 0 within a cut. */
+function besideCuts({ along, repeat, cutOctave }: StrokePlace, tone: number, value: number): [number, number] {
+  const cut = cutFor(tone, along, repeat, cutOctave);
+  // Old cuts are multiples of a period, and new ones between them of its half.
+  const half = 2 ** (Math.ceil(cutOctave) - 1);
+  const oldRoom = 0.5 * powerOf2(cutOctave);
+  const below = half * Math.floor(value / half);
+  const isOldBelow = Math.round(below / half) % 2 === 0;
+  const leftOf = (at: number, isOld: boolean): number =>
+    Math.abs(value - at) - (isOld ? oldRoom : half - oldRoom) * cutWidth(cut, at);
+  return [leftOf(below, isOldBelow), leftOf(below + half, !isOldBelow)];
 }

@@ -24,7 +24,7 @@ const BLOCK = 4;
 const NOTHING_THERE = -2;
 /** Corners of a block are alike up to this cosine between normals, difference of tones, and cosine between twice their directions. */
 const ALIKE = Math.cos(0.3);
-const TONES = 0.15;
+const TONES = 0.05;
 const TURN = Math.cos(0.5);
 /** A cell is as expected from this cosine between normals on, and up to this difference of occlusion. */
 const SMOOTH = Math.cos(0.08);

@@ -7,8 +7,6 @@ const MOST_STEPS = 4000;
 /** A line ends at a share of the distance to the next that differs from line to line, so that ends are staggered. */
 const ENDS_AT = [0.6, 0.78] as const;
 const BEGINS_AT = 0.8;
-/** No line comes nearer, in widths of the pen. */
-const NEAREST = 1.02;
 /** The cosine of the sharpest bend within a step; and the least agreement of directions around. */
 const BEND = Math.cos(0.5);
 const COHERENT = 0.35;
@@ -73,7 +71,7 @@ export class LineGrower {
       if (fields.sheet.isParted(x, y, nextX, nextY)) return;
       const apart = laws.look(nextX, nextY);
       if (fields.tone < lightest) return;
-      const room = Math.max(share * apart, NEAREST * laws.pen);
+      const room = Math.max(share * apart, laws.nearest);
       if (
         !this.isFree(nextX, nextY, vx, vy, room, apart) ||
         (turned > ROUND && this.meetsItself(into, nextX, nextY, room))
@@ -94,7 +92,7 @@ export class LineGrower {
       const along = 1 - Math.abs(wayX * ux + wayY * uy);
       if (away < BESIDE_OUTLINE * Math.min(apart, FARTHEST_FROM_OUTLINE * laws.pen) * along * along) return false;
     }
-    return !points.isTaken(x, y, Math.max(room, NEAREST * laws.pen));
+    return !points.isTaken(x, y, Math.max(room, laws.nearest));
   }
 
   /** Whether a place lies beside the line itself, which has gone on to there. */

@@ -11,15 +11,31 @@ const LIGHTEST_ABOVE = 0.06;
 const SPREAD = 0.05;
 const SPREAD_ABOVE = 0.14;
 
+/**
+ * No line is placed nearer to others than this, in widths of the pen, and moved lines are cut where they came nearer than that; in the black of a woodcut lines
+ * may overlap more, so that none of it stays white where they run together.
+ */
+const NEAREST = { line: 1.02, block: 0.65 };
+const CROWDED = { line: 0.97, block: 0.6 };
+
 /** How far lines of one set lie apart, and where they end. Lengths in millimetres. */
 export class LineLaws {
+  /** No line is placed nearer to others; and moved lines are cut where they came nearer. */
+  readonly nearest: number;
+  readonly crowded: number;
+
+  /** @param isBlock whether lines fill the block of a woodcut */
   constructor(
     readonly fields: LineFields,
     readonly set: number,
     /** The width of the pen. */
     readonly pen: number,
     private readonly gains: ToneGains,
-  ) {}
+    isBlock = false,
+  ) {
+    this.nearest = pen * NEAREST[isBlock ? 'block' : 'line'];
+    this.crowded = pen * CROWDED[isBlock ? 'block' : 'line'];
+  }
 
   /** The tone at which a line ends. lot: of the line, from 0 to 1. */
   lightest(lot: number): number {

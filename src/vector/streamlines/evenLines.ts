@@ -23,7 +23,7 @@ const SMALLEST = 4;
 
 /** Whether the lines of a surface can be placed on the sheet: it hides what is behind it, or is a ground, which is placed alone. */
 export const canBeEven = ({ engraved, hides, look }: EngravedSurface): boolean =>
-  engraved.technique !== 'woodcut' && engraved.hand === null && (hides || look.ground !== null);
+  engraved.hand === null && (hides || look.ground !== null);
 
 /** A line of a pen on the picture. */
 export interface EvenLine {
@@ -62,7 +62,7 @@ function seenSidesOf(scene: DrawnScene, surfaces: readonly EngravedSurface[]): U
   return sides;
 }
 
-/** Places lines of a pen on surfaces, as far apart as the tone asks for. Yields its progress. */
+/** Places lines of a pen on surfaces of one technique, as far apart as the tone asks for; in a block as close as they fill it. Yields its progress. */
 export function* evenLines(
   surfaces: readonly EngravedSurface[],
   { pen, scale, ...seen }: EvenDrawing,
@@ -77,12 +77,13 @@ export function* evenLines(
   );
   const read = surfaces.map((drawn) => new EvenSurface(drawn, seen, sheet.facing));
   const fields = yield* asPhase(LineFields.of(sheet, read, owners), 0.1, 0.4);
+  const isBlock = surfaces[0].engraved.technique === 'woodcut';
   const ends = new LineEnds(sheet, bvh, projection);
   const lines: EvenLine[] = [];
   for (const [set, lay] of LAYS.entries()) {
     if (!fields.hasLines(set)) continue;
     const [from, to] = [set, set + 1].map((k) => 0.4 + (0.6 * k) / LAYS.length);
-    const points = yield* asPhase(linesOf(fields, set, pen), from, to);
+    const points = yield* asPhase(linesOf(fields, set, pen, isBlock), from, to);
     for (let line = 0; line < points.lines; line++) {
       yield to;
       const middle = (points.starts[line] + points.starts[line + 1]) >> 1;
@@ -166,9 +167,9 @@ function worldOf(points: readonly number[], surface: EvenSurface, sheet: Sheet):
   return world;
 }
 
-function* linesOf(fields: LineFields, set: number, pen: number): Generator<number, LinePoints, void> {
+function* linesOf(fields: LineFields, set: number, pen: number, isBlock: boolean): Generator<number, LinePoints, void> {
   const gains = new ToneGains(fields, pen);
-  const laws = new LineLaws(fields, set, pen, gains);
+  const laws = new LineLaws(fields, set, pen, gains, isBlock);
   for (let round = 1; round < ROUNDS; round++)
     gains.learn(set, yield* asPhase(placeLines(laws), (0.5 * (round - 1)) / ROUNDS, (0.5 * round) / ROUNDS));
   const placed = yield* asPhase(placeLines(laws), 0.35, 0.5);

@@ -20,8 +20,7 @@ const WINDOW = [4, 20] as const;
 const SMOOTHINGS = 3;
 /** Lines may come as near to an outline as this, in widths of the pen, or as they were. */
 const BESIDE_OUTLINE = 0.4;
-/** Parts of lines nearer than this to longer ones are cut, in widths of the pen; and what is left is kept from this share of its least length on. */
-const NEAREST = 0.97;
+/** What is left of a line that was cut is kept from this share of its least length on. */
 const KEPT = 0.8;
 /** Points per step. */
 const CHUNK = 1024;
@@ -113,7 +112,7 @@ function* withoutCrowds(laws: LineLaws, points: LinePoints): Generator<number, L
       if ((end - first - 1) * STEP * pen >= KEPT * leastLength(laws, points, first, end)) parts.push([first, end]);
     };
     for (let i = starts[line]; i < starts[line + 1]; i++) {
-      const isOut = kept.isTaken(x[i], y[i], NEAREST * pen);
+      const isOut = kept.isTaken(x[i], y[i], laws.crowded);
       const isOff = i > first && fields.sheet.isParted(x[i - 1], y[i - 1], x[i], y[i]);
       if (isOut || isOff) close(i);
       if (isOut) first = i + 1;

@@ -25,6 +25,8 @@ export interface LaidTone {
   gradient: Vec3;
 }
 
+/** The distance of lines that fill the black of a woodcut, in widths of the pen: they overlap, so that no slits are left. */
+const FILL_PITCH = 0.85;
 /** Tones above this one are drawn as this one: the lines of a pen get no closer. */
 const MOST = 0.95;
 /** Tones between which sets give way to one, so that a solid dark is drawn once; and tones up to which a shadow falls on light. */
@@ -91,6 +93,8 @@ export function layTones(engraver: Engraver, at: EngravedPlace, tones: Tones): (
     const family = familyOf(name, at.cut);
     if (!hasLay(engraver, name)) return null;
     const tone = of[name];
+    if (engraver.technique === 'woodcut')
+      return { tone, density: tone > 0 ? 1 / FILL_PITCH : 0, gradient: engraver.gradientAt(family, at) };
     const isWhole = tone === 0 || engraver.technique === 'engraving';
     const density = isWhole ? tone : tone / drawnShareOf({ ...engraver.measure(family, at, tones), tone });
     return { tone, density: Math.min(density, MOST), gradient: engraver.gradientAt(family, at) };

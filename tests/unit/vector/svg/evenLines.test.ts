@@ -75,6 +75,28 @@ describe('lines of a pen are evenly apart', { tags: ['more'] }, () => {
   });
 });
 
+describe('the block of a woodcut is filled along its cuts', () => {
+  const block = async (tone: number) => {
+    const plane = await planeOfTone(tone, { technique: 'woodcut' });
+    return drawSVG(sceneOf(plane), cameraAt(0, 0, 1, true), SMALL);
+  };
+
+  test('at 0.85 of the pen', async () => {
+    const gaps = gapsOf(pathsOf((await block(1)).svg, 'lines').flatMap(ringsOf));
+    expect(gaps.length).toBeGreaterThan(1000);
+    const sorted = gaps.map(([a, b]) => 0.5 * (a + b)).sort((a, b) => a - b);
+    expect(Math.abs(sorted[sorted.length >> 1] / (0.85 * PEN) - 1)).toBeLessThan(0.05);
+    expect(share(gaps, gaps.filter((both) => Math.max(...both) > PEN).length)).toBeLessThan(0.02);
+  });
+
+  test('so that cuts leave the tone', async () => {
+    for (const tone of [0.3, 0.6]) {
+      const { drawn } = await block(tone);
+      expect(Math.abs((drawn * 0.85 * PEN) / 60 ** 2 - tone)).toBeLessThan(0.05);
+    }
+  });
+});
+
 test('lines end where their surface ends', async () => {
   const plane = await planeOfTone(0.4);
   const small = new Mesh(plane.geometry, plane.material);
