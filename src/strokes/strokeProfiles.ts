@@ -105,7 +105,7 @@ export interface StrokeProfiles {
 export function strokeProfiles(hand: Hand): StrokeProfiles {
   const { shapes, numbers } = runToEnd(prepareHand(hand, 'HatchingMaterial', MOST_PROFILES));
   const chosen = chosenShapes(shapes);
-  const { share, filled, shorter, lanes, laneShift } = cellOf(numbers);
+  const { share, filled, shorter, lanes, laneShift, both } = cellOf(numbers);
   const meanWidth = numbers.width * meanOf(chosen, ({ width }) => meanOf([...width], (value) => value));
   const spacing = Math.max(ROW_SPACING * numbers.spacing, (lanes * meanWidth * share) / MOST_INK);
   const laneOffset = lanes === 1 ? 0 : 0.5 * Math.min(MOST_LANE_DISTANCE, (LANE_WIDTHS * meanWidth) / spacing);
@@ -141,7 +141,10 @@ export function strokeProfiles(hand: Hand): StrokeProfiles {
   return {
     count,
     strokes,
-    tones: drawnTones(strokes, share, Math.min(MOST_WIDENING, MOST_REACH - reach), TONE_ROWS, bundled, laneOffset),
+    tones: drawnTones(strokes, share, Math.min(MOST_WIDENING, MOST_REACH - reach), TONE_ROWS, bundled, {
+      offset: laneOffset,
+      both,
+    }),
     ...{ offset, halfWidth, bundled, laneOffset, laneShift, spacing, filled, shorter },
     cell: numbers.length / share,
   };
@@ -175,6 +178,8 @@ interface FilledCells {
   shorter: number;
   lanes: 1 | 2;
   laneShift: number;
+  /** The share of the length of a row where both of its lanes have strokes. */
+  both: number;
 }
 
 /** Strokes of one lane leave the gaps of the hand. Those of two fill more than half of their cells, and run beside each other. */
@@ -184,10 +189,12 @@ function cellOf({ overlap, lengthSpread }: HandNumbers): FilledCells {
   const shorter = Math.min(1 - SHORTEST, (Math.sqrt(12) * spread) / (1 + Math.sqrt(3) * spread));
   const mean = 1 - 0.5 * shorter;
   const filled = 1 / (1 + Math.max(LEAST_GAP, -overlap));
-  if (overlap < LEAST_OVERLAP) return { share: filled * mean, filled, shorter, lanes: 1, laneShift: 0 };
+  if (overlap < LEAST_OVERLAP) return { share: filled * mean, filled, shorter, lanes: 1, laneShift: 0, both: 0 };
   // From an overlap of a half on strokes lie in pairs, whose second begins while the first is drawn.
   const share = Math.min(filled * mean, 0.5 / Math.max(1 - overlap, 0.5) / WHOLE);
-  return { share, filled: share / mean, shorter, lanes: 2, laneShift: LANE_STEP * (1 - overlap) * share * WHOLE };
+  const step = (1 - overlap) * share;
+  const both = share - step + Math.max(0, share + step - 1);
+  return { share, filled: share / mean, shorter, lanes: 2, laneShift: LANE_STEP * step * WHOLE, both };
 }
 
 /** The bends of a stroke around their mean, with a part of its arc. */

@@ -33,7 +33,8 @@ const SHARES = 12;
  * @param widest the greatest widening
  * @param youngRows the number of shares of the young rows, from 0 to 1, for which tones are computed
  * @param bundled the share of their distance by which rows are drawn together to bundles
- * @param laneOffset how far the two lanes of each row lie to its sides; 0 for rows of one lane
+ * @param lanes how far the two lanes of each row lie to its sides, 0 for rows of one lane, and the share of the length of a row where both
+ *   have strokes
  */
 export function drawnTones(
   strokes: Float32Array,
@@ -41,7 +42,7 @@ export function drawnTones(
   widest: number,
   youngRows: number,
   bundled: number,
-  laneOffset: number,
+  lanes: { offset: number; both: number },
 ): readonly (readonly DrawnTone[])[] {
   const widenings = Array.from({ length: WIDENINGS }, (_, i) => (widest * i) / (WIDENINGS - 1));
   const covers = widenings.map((widening) => coverAcross(strokes, filled, widening));
@@ -52,8 +53,9 @@ export function drawnTones(
     ...widenings.map((widening) => ({ share: 1, widening })),
   ];
   return Array.from({ length: youngRows }, (_, row) => {
-    const lanes = lanesOf(row / (youngRows - 1), bundled, laneOffset);
-    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, lanes));
+    const near = rowsNear(row / (youngRows - 1), bundled, lanes.offset);
+    const joint = lanes.both / filled ** 2;
+    const tones = drawn.map(({ share }, i) => toneOf(covers[Math.max(0, i - SHARES)], share, near, joint));
     return Array.from({ length: PLACES }, (_, place) => drawnBetween(drawn, tones, place / (PLACES - 1)));
   });
 }
@@ -108,53 +110,60 @@ const cellOf = (distance: number): number => {
   return cell < 0 ? 0 : cell > CELLS ? CELLS : cell;
 };
 
-/** The lanes that strokes lie in near each place between two rows. */
-interface Lanes {
-  /** For each place the cells of a cover in which it lies, of one lane after the other. */
-  cells: readonly Int32Array[];
-  /** The share of the strokes of each that is there if all of its kind are. */
-  shares: readonly Float64Array[];
+/** The rows near a place between two of them. */
+interface NearRows {
+  /** The cells of a cover in which the place lies, of the first lane of each row and of the second; −1 where it lies in none. */
+  first: Int32Array;
+  second: Int32Array;
+  /** The share of the strokes of each row that is there if all of its kind are. */
+  shares: Float64Array;
 }
 
-/** The lanes of rows, old ones 1 + young apart, with young ones between them of whose strokes that share is there. */
-function lanesOf(young: number, bundled: number, laneOffset: number): Lanes {
+/** The rows near each place, old ones 1 + young apart, with young ones between them of whose strokes that share is there. */
+function rowsNear(young: number, bundled: number, laneOffset: number): readonly NearRows[] {
   const apart = 1 + young;
   const most = Math.ceil((2 * REACH) / apart) + 1;
   const phases = (bundled > 0 ? BUNDLED_ROWS : 1) * PHASES;
   const asides = Array.from({ length: 2 * BUNDLED_ROWS }, (_, half) => drawnAside(half, young, bundled));
-  const offsets = laneOffset > 0 ? [-laneOffset, laneOffset] : [0];
-  const [cells, shares]: [Int32Array[], Float64Array[]] = [[], []];
-  for (let phase = 0; phase < phases; phase++) {
+  return Array.from({ length: phases }, (_, phase) => {
     const place = (phase + 0.5) / PHASES;
-    const first = 2 * (Math.floor(place) - most);
-    const [near, there]: [number[], number[]] = [[], []];
-    for (let half = first; half <= first + 4 * most + 2; half++) {
+    const start = 2 * (Math.floor(place) - most);
+    const [first, second, shares]: [number[], number[], number[]] = [[], [], []];
+    for (let half = start; half <= start + 4 * most + 2; half++) {
       const share = half % 2 === 0 ? 1 : young;
-      if (share === 0) continue;
-      const aside = asides[(half + most * asides.length) % asides.length];
-      for (const offset of offsets) {
-        const cell = Math.floor(((place - 0.5 * half) * apart - aside - offset + REACH) * FINENESS);
-        if (cell < 0 || cell >= CELLS) continue;
-        near.push(cell);
-        there.push(share);
-      }
+      const away = (place - 0.5 * half) * apart - asides[(half + most * asides.length) % asides.length];
+      const [cell, beside] = [cellAt(away + laneOffset), laneOffset > 0 ? cellAt(away - laneOffset) : -1];
+      if (share === 0 || (cell < 0 && beside < 0)) continue;
+      first.push(cell);
+      second.push(beside);
+      shares.push(share);
     }
-    cells.push(Int32Array.from(near));
-    shares.push(Float64Array.from(there));
-  }
-  return { cells, shares };
+    return { first: Int32Array.from(first), second: Int32Array.from(second), shares: Float64Array.from(shares) };
+  });
 }
 
-/** The mean tone of lanes in which a share of the strokes is there. */
-function toneOf({ shares, from, to }: Cover, share: number, lanes: Lanes): number {
+/** The cell in which a distance lies; −1 for none. */
+function cellAt(distance: number): number {
+  const cell = Math.floor((distance + REACH) * FINENESS);
+  return cell < CELLS ? Math.max(cell, -1) : -1;
+}
+
+/**
+ * The mean tone of rows in which a share of the strokes is there.
+ *
+ * @param joint how often both lanes of a row have strokes at a place, as a multiple of how often they would by chance
+ */
+function toneOf({ shares, from, to }: Cover, share: number, near: readonly NearRows[], joint: number): number {
   if (share === 0) return 0;
   let blank = 0;
-  for (const [phase, cells] of lanes.cells.entries()) {
-    const there = lanes.shares[phase];
+  for (const { first, second, shares: there } of near) {
     let left = 1;
-    for (let i = 0; i < cells.length; i++)
-      if (cells[i] >= from && cells[i] < to) left *= 1 - share * there[i] * shares[cells[i]];
+    for (let i = 0; i < first.length; i++) {
+      const ofFirst = first[i] >= from && first[i] < to ? share * there[i] * shares[first[i]] : 0;
+      const ofSecond = second[i] >= from && second[i] < to ? share * there[i] * shares[second[i]] : 0;
+      left *= 1 - ofFirst - ofSecond + joint * ofFirst * ofSecond;
+    }
     blank += left;
   }
-  return 1 - blank / lanes.cells.length;
+  return 1 - blank / near.length;
 }
