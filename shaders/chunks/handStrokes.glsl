@@ -245,15 +245,17 @@ float strokeCoverage(const in Row row, const in Cells cells, const in vec2 place
     if (spacing * (abs(aside) - widest) > FRINGE) return 0.0;
     if (grown != inShadow || widening != row.wideningInShadow) {
       vec3 step = row.way * size * cellLength * cells.steps[which];
+      // The shadows at its middle, and at the middles of its last and its first third.
       vec3 shadows;
-      for (int i = 0; i < 3; i++) shadows[i] = shadowAt(row.middle + ((float(i) + 0.5) / 3.0 - t) * step, cells.normal);
-      // Of three thirds, those before the first and after the last that is there are gone.
+      for (int i = 0; i < 3; i++) {
+        shadows[i] = shadowAt(row.middle + (fract(0.5 + float(i) / 3.0) - t) * step, cells.normal);
+        // A stroke is there as far as its middle is.
+        if (i == 0 && !(mix(grown, inShadow, shadows.x) > 0.0)) return 0.0;
+      }
       vec3 thirds = mix(vec3(grown), vec3(inShadow), shadows);
-      grown = max(thirds.x, max(thirds.y, thirds.z));
-      vec3 gone = 1.0 - thirds / max(grown, 1e-6);
-      vec2 lost = vec2(gone.x, gone.z) * (1.0 + gone.y) / 3.0;
-      // What is left is no fleck, but half a stroke at least.
-      lost *= min(0.5 / max(lost.x + lost.y, 0.5), 1.0);
+      grown = thirds.x;
+      // An end that is not there loses a sixth, so that what is left is no fleck.
+      vec2 lost = max(1.0 - thirds.zy / grown, 0.0) / 6.0;
       ends = vec2(lost.x, 1.0 - lost.y);
       widening = mix(widening, row.wideningInShadow, dot(shadows, vec3(1.0 / 3.0)));
     }

@@ -229,7 +229,7 @@ ${table(
 )}
 
 **At the hard edges of shadows.** The same of pieces whose middle is within half a length of the shadow of a bar on a wall, of tones 0.03 and 0.3, and 0.1 and 0.5.
-Strokes that end at an edge are shorter: between a half and all of their length.
+Strokes that end at an edge are shorter: between two thirds and all of their length.
 
 ${table(
   ['', 'edges'],

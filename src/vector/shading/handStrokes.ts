@@ -404,8 +404,8 @@ function strokeOn(
 }
 
 /**
- * How far a stroke has grown, the part of it that shadows leave, and its widening. Of three thirds, those before the first and after the
- * last that is there are gone.
+ * How far a stroke has grown, the part of it that shadows leave, and its widening. It is there as far as its middle is; an end that is not
+ * there loses a sixth.
  *
  * @param stepTo the step to a place along the stroke in full, from 0 to 1; view space
  */
@@ -419,19 +419,14 @@ function grownPart(
   const shaded = grownAt(bornInShadow, rank);
   if (!inShadow || (lit === shaded && widening === inShadow.widening))
     return { grown: lit, start: 0, end: 1, widening };
-  const taken = THIRDS.map((at) => inShadow.takenAt(stepTo(at)));
-  const thirds = taken.map((share) => mix(lit, shaded, share));
-  const grown = Math.max(...thirds);
-  const [before, between, after] = thirds.map((one) => 1 - one / Math.max(grown, 1e-6));
-  const lost = [before, after].map((gone) => (gone * (1 + between)) / 3);
-  // What is left is no fleck, but half a stroke at least.
-  const kept = Math.min(0.5 / Math.max(lost[0] + lost[1], 0.5), 1);
-  const mean = (taken[0] + taken[1] + taken[2]) / 3;
-  return { grown, start: kept * lost[0], end: 1 - kept * lost[1], widening: mix(widening, inShadow.widening, mean) };
+  const middle = inShadow.takenAt(stepTo(1 / 2));
+  const grown = mix(lit, shaded, middle);
+  if (!(grown > 0)) return { grown: 0, start: 0, end: 1, widening };
+  const ends = [1 / 6, 5 / 6].map((at) => inShadow.takenAt(stepTo(at)));
+  const [before, after] = ends.map((taken) => Math.max(1 - mix(lit, shaded, taken) / grown, 0) / 6);
+  const mean = (ends[0] + middle + ends[1]) / 3;
+  return { grown, start: before, end: 1 - after, widening: mix(widening, inShadow.widening, mean) };
 }
-
-/** The middles of the thirds of a stroke. */
-const THIRDS = [1 / 6, 1 / 2, 5 / 6] as const;
 
 /** How far a stroke lies aside of its row, in mean distances. lot: of the bundles of its row, from 0 to BUNDLED_ROWS − 1. */
 function bundledAside(number: number, apart: number, bundled: number, lot: number): number {

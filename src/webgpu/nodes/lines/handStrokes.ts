@@ -387,19 +387,24 @@ function endAtShadows(
   const shaded = grownAt(inShadow.born, rank).toVar();
   const isOther = grown.notEqual(shaded).or(widening.notEqual(inShadow.widening));
   If(isNear.and(isOther), () => {
+    // The shadows at its middle, and at the middles of its last and its first third.
     const shadows = vec3(0).toVar();
     Loop({ start: int(0), end: int(3), type: 'int', condition: '<', name: 'third' }, ({ third }) => {
-      const there = inShadow.shadowAt(placeAt(float(third).add(0.5).div(3)).toVar());
+      const at = fract(float(third).div(3).add(0.5));
+      const there = inShadow.shadowAt(placeAt(at).toVar());
       const isThird = (i: number): Value => select(third.equal(int(i)), there, float(0));
       shadows.addAssign(vec3(isThird(0), isThird(1), isThird(2)));
+      // A stroke is there as far as its middle is.
+      If(mix(grown, shaded, shadows.x).greaterThan(0).not(), () => {
+        Break();
+      });
     });
-    // Of three thirds, those before the first and after the last that is there are gone.
     const thirds = mix(vec3(grown), vec3(shaded), shadows).toVar();
-    grown.assign(max(thirds.x, max(thirds.y, thirds.z)));
-    const gone = thirds.div(max(grown, 1e-6)).oneMinus().toVar();
-    const lost = vec2(gone.x, gone.z).mul(gone.y.add(1)).div(3).toVar();
-    // What is left is no fleck, but half a stroke at least.
-    lost.mulAssign(min(float(0.5).div(max(lost.x.add(lost.y), 0.5)), 1));
+    grown.assign(thirds.x);
+    // An end that is not there loses a sixth, so that what is left is no fleck.
+    const lost = max(vec2(thirds.z, thirds.y).div(max(grown, 1e-6)).oneMinus(), 0)
+      .div(6)
+      .toVar();
     ends.assign(vec2(lost.x, lost.y.oneMinus()));
     widening.assign(mix(widening, inShadow.widening, dot(shadows, vec3(1 / 3))));
   });
