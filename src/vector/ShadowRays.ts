@@ -32,7 +32,7 @@ const FAR = 1e9;
 const { MOST_SAMPLES, FARTHEST_CASTER, TOWARDS_LAMP, LIFT, THINNEST, OVERHEAD } = SHADOW_CONSTANTS;
 /** Rays to points on a lamp; after those to its rim it is known whether there is an edge. */
 const { EDGE_SAMPLES: RAYS, RIM_SAMPLES: RIM } = SHADOW_SAMPLES;
-/** Rays that start beside a place start in its tangent plane, unless its cosine to the light is less than this. */
+/** Rays that start beside a place start in its tangent plane, and hard ones straight towards the light, unless its cosine to the light is less than this. */
 const LEAST_LEAN = 0.25;
 
 export const LIT: ReceivedShadow = { passing: 1, left: 1, isEdge: false };
@@ -132,7 +132,11 @@ export class ShadowRays {
     { intensity }: LampShadow,
     { world, normal, direction, length }: { world: Vec3; normal: Vec3; direction: Vec3; length: number },
   ): number {
-    const bundle = bundleOf(combined(1, world, this.bias, normal), normal, direction, length);
+    // Raised along the ray the place casts the same shadow, but at grazing angles that would lead far away.
+    const facing = dot(normal, direction);
+    const along = this.bias / Math.max(facing, LEAST_LEAN);
+    const raised = combined(1, world, along, direction);
+    const bundle = bundleOf(combined(1, raised, this.bias - along * facing, normal), normal, direction, length);
     return this.isMet(bundle, MIDDLE, 0, 0, 0) ? 1 - intensity : 1;
   }
 

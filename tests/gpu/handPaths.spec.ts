@@ -153,8 +153,6 @@ for (const [body, name] of [
       test.info().annotations.push({ type: 'measured', description: JSON.stringify(measured) });
       expect(print.strokes).toBeGreaterThan(10);
       for (const one of [print, pen]) expect(at(one, 0.95), JSON.stringify(measured)).toBeLessThan(0.3);
-      // A third of a stroke whose middle lies within a texel of the edge of a shadow may be there in one of the two alone.
-      const differs = body === 'shaded plane' ? 0.05 : 0.01;
-      expect(Math.abs(print.ink - 1), JSON.stringify(measured)).toBeLessThan(differs);
+      expect(Math.abs(print.ink - 1), JSON.stringify(measured)).toBeLessThan(0.01);
     },
   );
