@@ -5,6 +5,7 @@
     #include "shadowMatrices"
   #endif // DOUBLE_SIDED
   #include "shadowDepth"
+  #include "cascades"
 
   // The radiance that each light sends to this fragment, and what of it arrives, by the number of the light.
   vec2 sent[LIGHTS_WITH_DIRECTION];
@@ -15,7 +16,7 @@
     if (!receiveShadow) return;
     IncidentLight light;
     #define VISIT_SHADOW(number, map, matrix, shadow) castHere += sent[number];
-    #include "eachFlatShadow"
+    #include "eachFlatPlace"
     #ifdef CUBE_SHADOW_MAP
       #define VISIT_SHADOW(number, map, fromLight, shadow) castHere += sent[number];
       #include "eachCubeShadow"
@@ -37,7 +38,7 @@
     IncidentLight light;
     #define TAKEN(number, shadow, passing) taken += sent[number].x * shadow.shadowIntensity * (1.0 - passing);
     #define VISIT_SHADOW(number, map, matrix, shadow) TAKEN(number, shadow, passesFlat(map, ShadowMapFacts(shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x, vec2(0.0)), matrix * vec4(point + shadow.shadowNormalBias * up, 1.0)))
-    #include "eachFlatShadow"
+    #include "eachFlatPlace"
     #ifdef CUBE_SHADOW_MAP
       vec3 fromLamp;
       #define VISIT_SHADOW(number, map, fromLight, shadow) fromLamp = (vec4(fromLight, 0.0) * viewMatrix).xyz + shadow.shadowNormalBias * up; TAKEN(number, shadow, passes(map, ShadowMapFacts(shadow.shadowBias, shadow.shadowRadius, shadow.shadowMapSize.x, vec2(shadow.shadowCameraNear, shadow.shadowCameraFar)), vec4(fromLamp, 0.0), length(fromLamp)))

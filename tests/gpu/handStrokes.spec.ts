@@ -115,10 +115,10 @@ test('strokes end straight across their rows, also where these run askew to the 
 });
 
 /** The lengths of whole strokes on a wall that is blank but for the shadows of bars, across which rows run. */
-const shadedPieces = (page: Page, hand: object): Promise<number[]> =>
+const shadedPieces = (page: Page, hand: object, isSun: boolean): Promise<number[]> =>
   page.evaluate(
-    async ([hand, side]) => {
-      const { THREE, HatchingMaterial, makeRenderer, makeCamera, sceneOf, wholePieces } = window.toolkit;
+    async ([hand, side, isSun]) => {
+      const { THREE, HatchingMaterial, loadSunLight, makeRenderer, makeCamera, sceneOf, wholePieces } = window.toolkit;
       const material = new HatchingMaterial({
         ...{ technique: 'pen', direction: 'y', hand, screenSpaceShare: 1, toneCurve: 'linear', reflectedLight: 0 },
       } as object);
@@ -130,11 +130,12 @@ const shadedPieces = (page: Page, hand: object): Promise<number[]> =>
         bar.castShadow = true;
         return bar;
       });
-      const light = new THREE.DirectionalLight(0xffffff, 0.2 * Math.PI);
+      const Light = (isSun && (await loadSunLight())) || THREE.DirectionalLight;
+      const light = new Light(0xffffff, 0.2 * Math.PI);
       light.position.set(0, 0, 8);
       light.castShadow = wall.receiveShadow = true;
       light.shadow.mapSize.setScalar(1024);
-      Object.assign(light.shadow.camera, { left: -2, right: 2, bottom: -2, top: 2, near: 1, far: 20 });
+      if (!isSun) Object.assign(light.shadow.camera, { left: -2, right: 2, bottom: -2, top: 2, near: 1, far: 20 });
       const renderer = makeRenderer();
       renderer.shadowMap.enabled = true;
       renderer.setSize(side, side, false);
@@ -148,21 +149,23 @@ const shadedPieces = (page: Page, hand: object): Promise<number[]> =>
         return Math.hypot(Math.max(...xs) - Math.min(...xs) + 1, Math.max(...ys) - Math.min(...ys) + 1);
       });
     },
-    [hand, SIDE] as const,
+    [hand, SIDE, isSun] as const,
   );
 
-test('strokes of a hand end at the hard edge of a shadow, and are not cut to flecks', async ({ page }) => {
-  const { numbers } = hands.feltTip;
-  const even = { ...numbers, angleSpread: 0, wobble: 0, curvature: 0, lengthSpread: 0, crossingFrom: 1 };
-  const hand = { ...hands.feltTip, numbers: { ...even, width: 0.35, spacing: 1.6, clustering: 0, overlap: -0.3 } };
-  const lengths = await shadedPieces(page, hand);
-  const short = lengths.filter((length) => length < 0.55 * SCALE * numbers.length);
-  const measured = `${short.length} of ${lengths.length} strokes`;
-  test.info().annotations.push({ type: 'measured', description: measured });
-  expect(lengths.length).toBeGreaterThan(100);
-  // Some of the first strokes of a tone are growing.
-  expect(short.length / lengths.length, measured).toBeLessThan(0.2);
-});
+for (const name of ['a shadow', 'a shadow of a sun']) {
+  test(`strokes of a hand end at the hard edge of ${name}, and are not cut to flecks`, async ({ page }) => {
+    const { numbers } = hands.feltTip;
+    const even = { ...numbers, angleSpread: 0, wobble: 0, curvature: 0, lengthSpread: 0, crossingFrom: 1 };
+    const hand = { ...hands.feltTip, numbers: { ...even, width: 0.35, spacing: 1.6, clustering: 0, overlap: -0.3 } };
+    const lengths = await shadedPieces(page, hand, name.endsWith('sun'));
+    const short = lengths.filter((length) => length < 0.55 * SCALE * numbers.length);
+    const measured = `${short.length} of ${lengths.length} strokes`;
+    test.info().annotations.push({ type: 'measured', description: measured });
+    expect(lengths.length).toBeGreaterThan(100);
+    // Some of the first strokes of a tone are growing.
+    expect(short.length / lengths.length, measured).toBeLessThan(0.2);
+  });
+}
 
 /** The luminance of the pixels of a wall in one tone, from 0 to 255. */
 const wallOf = (

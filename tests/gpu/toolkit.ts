@@ -69,6 +69,14 @@ function makeCamera(): THREE.PerspectiveCamera {
   return camera;
 }
 
+const suns = import.meta.glob('../../node_modules/three/examples/jsm/lights/SunLight.js');
+
+/** The class of lights with cascades of shadow maps; undefined in versions of three.js without it. */
+async function loadSunLight(): Promise<typeof THREE.DirectionalLight | undefined> {
+  const loaded = (await Object.values(suns)[0]?.()) as { SunLight: typeof THREE.DirectionalLight } | undefined;
+  return loaded?.SunLight;
+}
+
 /** A scene on a green ground with the given things in it. */
 function sceneOf(...things: THREE.Object3D[]): THREE.Scene {
   const scene = new THREE.Scene();
@@ -160,6 +168,7 @@ const toolkit = {
   makeRenderer,
   makeCamera,
   sun,
+  loadSunLight,
   sceneOf,
   hatchedMesh,
   pixelsOf,

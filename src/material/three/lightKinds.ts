@@ -105,6 +105,7 @@ export function lightChunks(): Record<string, string> {
  *
  * - `eachFlatShadow` visits every flat shadow map by `VISIT_SHADOW(number, map, matrix, shadow)`: the number of its light, the map, the
  *   matrix that leads to it from the world, and three's struct of the shadow. `shadowMatrices` declares the matrices.
+ * - `eachFlatPlace` visits those, and of every sun the cascade that holds the depth of `viewPosition`. `cascades` declares what finds it.
  * - `eachCubeShadow` visits every cube by `VISIT_SHADOW(number, map, fromLight, shadow)`: the third is in view space.
  *
  * `turnedShadows` is no such loop: it moves the places at which three's functions read shadow maps by `turned`, a vector in world space,
@@ -113,6 +114,8 @@ export function lightChunks(): Record<string, string> {
 export function shadowChunks(): Record<string, string> {
   const kinds = knownKinds();
   const flat: string[] = [];
+  const cascaded: string[] = [];
+  const cascades: string[] = [];
   const cubes: string[] = [];
   const matrices: string[] = [];
   const turned: string[] = [];
@@ -130,6 +133,10 @@ export function shadowChunks(): Record<string, string> {
       flat.push(unrolled(count, visit));
       const varying = type === 'distant' ? `v${name}ShadowCoord` : `v${name}LightCoord`;
       turned.push(turnedCoords(varying, count, `${matrix}[i] * vec4(${shadow}.shadowNormalBias * turned, 0.0)`));
+    } else if (type === 'distant') {
+      const at = `${lower}Cascade(UNROLLED_LOOP_INDEX, -viewPosition.z)`;
+      cascaded.push(unrolled(count, `VISIT_SHADOW(${number}, ${map}, ${lower}ShadowMatrix[${at}], ${shadow})`));
+      cascades.push(`#if ${count} > 0\n${cascadeFunction(lower, key)}#endif\n`);
     } else if (type === 'positional') {
       const fromLight = `viewPosition - ${lower}Lights[i].position`;
       cubes.push(unrolled(count, `VISIT_SHADOW(${number}, ${map}, ${fromLight}, ${shadow})`));
@@ -141,10 +148,23 @@ export function shadowChunks(): Record<string, string> {
   return {
     shadowMatrices: matrices.join(''),
     eachFlatShadow: flat.join('') + end,
+    eachFlatPlace: flat.join('') + cascaded.join('') + end,
+    cascades: cascades.join(''),
     eachCubeShadow: cubes.join('') + end,
     turnedShadows: turned.join(''),
   };
 }
+
+/** Finds the nearest cascade of a light that holds a depth. */
+const cascadeFunction = (
+  light: string,
+  key: string,
+): string => `int ${light}Cascade(const in int number, const in float viewDepth) {
+  int last = (number + 1) * ${key}_LIGHT_CASCADES - 1;
+  for (int i = number * ${key}_LIGHT_CASCADES; i < last; i++) if (viewDepth < ${light}ShadowCascade[i].y) return i;
+  return last;
+}
+`;
 
 /** Replaces a varying of coordinates of shadow maps by moved ones, for the chunks after it. */
 function turnedCoords(varying: string, count: string, change: string): string {
