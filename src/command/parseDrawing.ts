@@ -69,7 +69,7 @@ export interface DrawingOptions {
   note: boolean;
   /** What is written. */
   written: 'svg' | 'dxf';
-  /** Whether a pen's lines are placed evenly or lie as on the canvas; undefined for even lines of a picture and the canvas's of frames. */
+  /** Whether a pen's lines are placed evenly or lie as on the canvas; undefined for the default. */
   lines: 'even' | 'canvas' | undefined;
   /** Shorter lines of a pen are left out, millimetres; undefined for the default. */
   shortest: number | undefined;
@@ -238,7 +238,7 @@ It reads GLB, glTF, OBJ, PLY, STL, FBX, DAE, USDZ, 3MF, 3DS, VRML and OFF files,
   --refill <metres>        pauses after so many metres of line, as 40m, to fill the pen
   --split pen              a file for each pen
   --note                   tells of the pens and their time in the margin, in a layer that plotters leave out
-  --lines <even|canvas>    lines of a pen evenly apart, or just those of the canvas (default even; canvas for frames)
+  --lines <even|canvas>    lines of a pen evenly apart, or just those of the canvas (default even)
   --shortest <mm>          leaves out lines of a pen that are shorter, as each takes a lift (default 1)
   --max-passes <1|2|3>     leaves out lines and dots where pens have passed so often already (default 2)
   --sheet <size>           ${Object.keys(SHEET_SIZES).join(', ')}, turned to suit the model;

@@ -8,6 +8,7 @@ import type { PenPlan } from './plot/pens.js';
 import type { PlotterSpeeds } from './plot/plotTime.js';
 import type { Field } from './shading/fieldAxis.js';
 import type { DotLayers, DotSet, DotSize } from './shading/stipple.js';
+import type { SurfaceLines } from './streamlines/SurfaceLines.js';
 import type { Illumination, SurfaceLook } from './ToneReader.js';
 
 /** The lines of a surface in the shadows of some lights, where lines turn. */
@@ -102,6 +103,8 @@ export interface DrawingPlan {
   pens: PenPlan | null;
   /** Whether the lines of a pen are placed on the sheet evenly, or lie where the canvas has them. */
   lines: 'even' | 'canvas';
+  /** The even lines of the frame before, none for the first one; null for a picture of its own. */
+  before: readonly SurfaceLines[] | null;
   /** Shorter lines of a pen are omitted. */
   shortest: number;
   /** The greatest number of times that pens pass over a place. */

@@ -24,7 +24,7 @@ import { Translucency, TranslucentTone } from './paint/Translucency.js';
 import { dashes, type LinePath } from './paths/LinePath.js';
 import type { LayerName, PenPart } from './plot/pens.js';
 import { readVertices, type Tracing } from './readVertices.js';
-import { canBeEven, evenLines } from './streamlines/evenLines.js';
+import { type Carrying, canBeEven, evenLines } from './streamlines/evenLines.js';
 import { penChain, penPath } from './streamlines/penPaths.js';
 import { subdivide } from './subdivide.js';
 import { ToneReader, VertexTones } from './ToneReader.js';
@@ -217,8 +217,11 @@ export class LineDrawer {
     return clipped(isCut ? (place) => isSeen(place) && !isCut(place) : isSeen, clip);
   }
 
-  /** @param isEven whether the lines of a pen are placed on the sheet, where that is possible, instead of where the canvas has them */
-  *drawSurfaces(isEven = false): Generator<number, void, void> {
+  /**
+   * @param isEven whether the lines of a pen are placed on the sheet, where that is possible, instead of where the canvas has them
+   * @param carrying the lines of the frame before that are taken over; null for a picture of its own
+   */
+  *drawSurfaces(isEven = false, carrying: Carrying | null = null): Generator<number, void, void> {
     const { surfaces } = this.scene;
     const placed = isEven ? surfaces.filter(canBeEven) : [];
     // A ground hides nothing, and its lines are placed for themselves.
@@ -229,11 +232,11 @@ export class LineDrawer {
     const isPlaced = new Set(placed);
     const others = surfaces.filter((surface) => !isPlaced.has(surface));
     let done = 0;
-    for (const group of [...groups, ...others.map((one) => [one])]) {
+    for (const [k, group] of [...groups, ...others.map((one) => [one])].entries()) {
       const from = done / surfaces.length;
       done += group.length;
       if (group.length === 0) continue;
-      const drawing = isPlaced.has(group[0]) ? this.drawEven(group) : this.drawSurface(group[0]);
+      const drawing = isPlaced.has(group[0]) ? this.drawEven(group, k, carrying) : this.drawSurface(group[0]);
       yield* asPhase(drawing, from, done / surfaces.length);
     }
   }
@@ -249,13 +252,26 @@ export class LineDrawer {
     return [...groups.values()];
   }
 
-  /** @param surfaces of one pen */
-  private *drawEven(surfaces: readonly EngravedSurface[]): Generator<number, void, void> {
+  /** @param surfaces of one pen, and `group`, their place in the order of drawing */
+  private *drawEven(
+    surfaces: readonly EngravedSurface[],
+    group: number,
+    carrying: Carrying | null,
+  ): Generator<number, void, void> {
     const { scene, projection, bvh, pens, millimetre, translucency } = this;
     const pen = pens!('lines', surfaces[0].ink);
     for (const surface of surfaces) yield* this.dropUnshaded(surface);
     if (surfaces.every(({ surface }) => surface.parents.length === 0)) return;
-    const drawn = { scene, projection, bvh, translucency, pen: pen / millimetre, scale: 1 / millimetre };
+    const drawn = {
+      scene,
+      projection,
+      bvh,
+      translucency,
+      pen: pen / millimetre,
+      scale: 1 / millimetre,
+      carrying,
+      group,
+    };
     const lines = yield* asPhase(evenLines(surfaces, drawn), 0, 0.9);
     for (const [i, line] of lines.entries()) {
       const { points, world, surface } = line;

@@ -15,6 +15,7 @@ import { LAYERS, type PenPart, penWidth, thickestPen } from './plot/pens.js';
 import { plotTimes } from './plot/plotTime.js';
 import { filesOfPens, plotterFile, plotterLayers } from './plot/plotterLayers.js';
 import { writeDxf } from './plot/writeDxf.js';
+import type { SurfaceLines } from './streamlines/SurfaceLines.js';
 
 /** The phases of a drawing, in order. */
 const PHASES = ['building', 'outlines', 'surfaces', 'backgrounds', 'dots', 'finishing'] as const;
@@ -75,6 +76,8 @@ export interface LineDrawing extends PathCounts {
   plotSeconds: number | null;
   /** Traced pieces of lines, before hidden ones were removed. */
   segments: number;
+  /** The even lines on their surfaces, which the next frame takes over; null for a picture of its own. */
+  surfaceLines: readonly SurfaceLines[] | null;
 }
 
 const MILLIMETRES_PER_INCH = 25.4;
@@ -90,7 +93,8 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   const least = pens === null ? plan.leastWidth / scale : 0;
   const drawer = new LineDrawer(scene, widths, projection, bvh, least, 1 / scale);
   yield* asPhase(drawer.drawOutlines(), ...phases.outlines);
-  yield* asPhase(drawer.drawSurfaces(plan.lines === 'even'), ...phases.surfaces);
+  const carrying = plan.before && { before: plan.before, kept: [] };
+  yield* asPhase(drawer.drawSurfaces(plan.lines === 'even', carrying), ...phases.surfaces);
   yield* asPhase(drawer.drawBackgrounds(), ...phases.backgrounds);
   const dots = yield* asPhase(drawDots(scene, projection, bvh, drawer.translucency, drawer.above), ...phases.dots);
   const lines = LAYERS.flatMap((name) => drawer.layers.filter((layer) => layer.name === name));
@@ -99,7 +103,11 @@ export function* drawLines(scene: DrawnScene, plan: DrawingPlan): Generator<numb
   const left = yield* asPhase(limiting, from, mix(from, to, LIMITED));
   const finishing = finishLayers(fileLayers(left.lines, left.dots, pens), plan, projection, placement);
   const finished = yield* asPhase(finishing, mix(from, to, LIMITED), to);
-  return { ...written(finished, plan, projection, placement), segments: drawer.segments };
+  return {
+    ...written(finished, plan, projection, placement),
+    segments: drawer.segments,
+    surfaceLines: carrying?.kept ?? null,
+  };
 }
 
 /** Lines and dots as often over one another as paper holds. widths: of pens, null for a print. */
@@ -146,7 +154,7 @@ function written(
   plan: DrawingPlan,
   projection: Projection,
   { left: x, top: y, scale }: Placement,
-): Omit<LineDrawing, 'segments'> {
+): Omit<LineDrawing, 'segments' | 'surfaceLines'> {
   const { pens, plotter } = plan;
   const [width, height] = [scale * projection.width, scale * projection.height];
   const picture = plan.picture === null ? null : { url: plan.picture, x, y, width, height };

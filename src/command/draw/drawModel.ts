@@ -4,7 +4,7 @@ import { totalmem } from 'node:os';
 import { basename, dirname } from 'node:path';
 import { Color, MathUtils, type Mesh } from 'three';
 import type { HatchingMaterial } from 'three-hatching';
-import { drawSVG } from 'three-hatching/svg';
+import { drawSVG, type SVGDrawing } from 'three-hatching/svg';
 import { loadSimplifier, simplifierOf } from '../../mesh/detail/loadSimplifier.js';
 import { buildModel } from '../../viewer/drawing/buildModel.js';
 import type { HatchedModel } from '../../viewer/drawing/HatchedModel.js';
@@ -261,19 +261,21 @@ async function drawFrames(
   const { kind, pen, pens, refill, isSplit, written, lines, shortest, maxPasses, margin, dpi, ...others } = options;
   const { paper, order, hidden, animate, note, preset } = others;
   const told = new Set<string>();
+  let before: SVGDrawing | null = null;
   for (let frame = 0; frame < frames; frame++) {
     if (motion && clip !== undefined) motion.time = (frame / frames) * motion.duration;
     else if (frame > 0) turnCamera(placed, (2 * Math.PI) / frames);
     scene.updateMatrixWorld();
     placeLights();
     const stage = frames === 1 ? 'drawing' : `drawing frame ${frame + 1} of ${frames}`;
-    const { svg, files, dxf, leftOut, ...counts } = await drawSVG(scene, placed.camera, {
+    const drawing: SVGDrawing = await drawSVG(scene, placed.camera, {
       ...{ kind, sheet, margin, dpi, order, hidden, animate },
       ...(kind === 'pen' && {
         penWidth: pen,
         pens,
         refill,
-        lines: lines ?? (frames > 1 ? 'canvas' : 'even'),
+        lines: lines ?? 'even',
+        before: frames > 1 ? before : undefined,
         ...{ shortest, maxPasses },
         dxf: written === 'dxf',
         note: note && (preset === undefined ? name : `${name}, ${preset}`),
@@ -283,6 +285,8 @@ async function drawFrames(
       signal: to.signal,
       onProgress: (share) => to.progress(stage, BAKED + (1 - BAKED) * ((frame + share) / frames)),
     });
+    before = drawing;
+    const { svg, files, dxf, leftOut, ...counts } = drawing;
     const reasons = leftOut.map(({ reason }) => reason);
     if (counts.paths === 0) throw new ModelError(`${name} has no lines in this view. ${reasons[0] ?? ''}`.trim());
     const fresh = reasons.filter((reason) => !told.has(reason));

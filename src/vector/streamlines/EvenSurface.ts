@@ -73,7 +73,7 @@ export class EvenSurface {
   }
 
   /** The weights of the corners of a triangle where the ray through a pixel meets it (Möller and Trumbore, 1997). */
-  private weightsAt(px: number, py: number, triangle: number): Vec3 {
+  weightsAt(px: number, py: number, triangle: number): Vec3 {
     const { corners } = this.scene;
     const { origin, direction } = this.projection.rayThrough(px, py);
     const a = vectorAt(corners, 9 * triangle);

@@ -13,6 +13,10 @@ const COHERENT = 0.35;
 /** Lines along an outline keep away from it by a share of their distance, but at most by so many widths of the pen. */
 const BESIDE_OUTLINE = 0.45;
 const FARTHEST_FROM_OUTLINE = 4;
+/** A carried line fits to this share of the lightest tone and of the distance, and this cosine to the direction. */
+const CARRIED_LIGHTEST = 0.8;
+const CARRIED_ROOM = 0.5;
+const CARRIED_ALONG = Math.cos(0.35);
 /** A line that has turned so much, radians, may meet itself. */
 const ROUND = 2.5;
 
@@ -22,6 +26,8 @@ export class LineGrower {
   readonly line = new GrownLine();
   private readonly back = new GrownLine();
   private readonly step: number;
+  /** Lines that are not placed yet, and the number of the one that grows. */
+  private beside: { lines: LinePoints; number: number } | null = null;
 
   constructor(
     private readonly laws: LineLaws,
@@ -47,6 +53,42 @@ export class LineGrower {
     line.push(x, y, ux, uy, apart);
     this.goOn(line, 1, lot);
     return true;
+  }
+
+  /** Takes the points of a carried line from one on as long as they fit. Returns the first that may begin another line. */
+  take({ x, y, lot }: { x: readonly number[]; y: readonly number[]; lot: number }, from: number): number {
+    const { laws, line, back } = this;
+    const { fields } = laws;
+    line.count = back.count = 0;
+    const lightest = CARRIED_LIGHTEST * laws.lightest((lot * 7.31) % 1);
+    const last = x.length - 1;
+    for (let i = from; i <= last; i++) {
+      const [a, b] = [Math.max(i - 1, 0), Math.min(i + 1, last)];
+      const length = Math.hypot(x[b] - x[a], y[b] - y[a]) || 1;
+      const [ux, uy] = [(x[b] - x[a]) / length, (y[b] - y[a]) / length];
+      const apart = laws.look(x[i], y[i]);
+      const isAlong = Math.abs(ux * fields.ux + uy * fields.uy) > CARRIED_ALONG && fields.coherence >= COHERENT;
+      const isOff = i > from && fields.sheet.isParted(x[i - 1], y[i - 1], x[i], y[i]);
+      const room = Math.max(CARRIED_ROOM * apart, laws.nearest);
+      if (isOff || !isAlong || fields.tone < lightest || !this.isFree(x[i], y[i], ux, uy, room, apart))
+        return Math.max(i, from + 1);
+      line.push(x[i], y[i], ux, uy, apart);
+    }
+    return last + 1;
+  }
+
+  /** Takes over a line, and goes on from both of its ends, keeping away from the other lines beside it. */
+  extend(lines: LinePoints, number: number): void {
+    const { line, back } = this;
+    line.count = back.count = 0;
+    for (let i = lines.starts[number]; i < lines.starts[number + 1]; i++)
+      line.push(lines.x[i], lines.y[i], lines.ux[i], lines.uy[i], lines.apart[i]);
+    this.beside = { lines, number };
+    for (let way = 0; way < 2; way++) {
+      this.goOn(line, 1, lines.lots[number]);
+      line.reverse();
+    }
+    this.beside = null;
   }
 
   /** Goes on from the last point of the line, one way. */
@@ -92,7 +134,10 @@ export class LineGrower {
       const along = 1 - Math.abs(wayX * ux + wayY * uy);
       if (away < BESIDE_OUTLINE * Math.min(apart, FARTHEST_FROM_OUTLINE * laws.pen) * along * along) return false;
     }
-    return !points.isTaken(x, y, Math.max(room, laws.nearest));
+    const radius = Math.max(room, laws.nearest);
+    const { beside } = this;
+    if (beside?.lines.isTaken(x, y, radius, beside.number)) return false;
+    return !points.isTaken(x, y, radius);
   }
 
   /** Whether a place lies beside the line itself, which has gone on to there. */
@@ -126,6 +171,14 @@ class GrownLine {
     this.ux[i] = ux;
     this.uy[i] = uy;
     this.apart[i] = apart;
+  }
+
+  reverse(): void {
+    for (const numbers of [this.x, this.y, this.apart]) numbers.subarray(0, this.count).reverse();
+    for (const ways of [this.ux, this.uy]) {
+      ways.subarray(0, this.count).reverse();
+      for (let i = 0; i < this.count; i++) ways[i] = -ways[i];
+    }
   }
 
   at(i: number): { x: number; y: number; ux: number; uy: number } {

@@ -30,7 +30,7 @@ export class LineLaws {
     readonly set: number,
     /** The width of the pen. */
     readonly pen: number,
-    private readonly gains: ToneGains,
+    readonly gains: ToneGains,
     isBlock = false,
   ) {
     this.nearest = pen * NEAREST[isBlock ? 'block' : 'line'];

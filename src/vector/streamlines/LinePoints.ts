@@ -3,6 +3,8 @@ import type { Sheet } from './Sheet.js';
 /** Points that lines have room for at first. */
 const FIRST = 1 << 12;
 const NONE = -1;
+/** What is no number of a line. */
+export const UNNUMBERED = -1;
 
 /** The points of lines on a sheet, in a grid that finds those near a place. Lengths in millimetres. */
 export class LinePoints {
@@ -17,6 +19,9 @@ export class LinePoints {
   line = new Int32Array(FIRST);
   /** The first point of each line, and the end of the last. */
   readonly starts: number[] = [0];
+  /** Per line its chance, from 0 to 1, and its number in the drawing; `UNNUMBERED` as long as it has none. */
+  readonly lots: number[] = [];
+  readonly ids: number[] = [];
   private next = new Int32Array(FIRST);
   private readonly heads: Int32Array;
   private readonly columns: number;
@@ -49,9 +54,17 @@ export class LinePoints {
     this.register(i);
   }
 
-  /** Ends the line that is being written. */
-  endLine(): void {
+  /** Ends the line that is being written. lot: its chance, from 0 to 1; and `id`, its number if it has one. */
+  endLine(lot: number, id = UNNUMBERED): void {
     this.starts.push(this.count);
+    this.lots.push(lot);
+    this.ids.push(id);
+  }
+
+  /** Numbers the lines that have none. */
+  numberLines(): void {
+    let next = this.ids.reduce((most, id) => Math.max(most, id), UNNUMBERED) + 1;
+    for (let line = 0; line < this.lines; line++) if (this.ids[line] === UNNUMBERED) this.ids[line] = next++;
   }
 
   /** Enters all points into the grid anew, after they have moved. */
@@ -60,8 +73,8 @@ export class LinePoints {
     for (let i = 0; i < this.count; i++) this.register(i);
   }
 
-  /** Whether a point within a radius of a place lies on the same side of all outlines. */
-  isTaken(x: number, y: number, radius: number): boolean {
+  /** Whether a point within a radius of a place lies on the same side of all outlines. except: a line that does not count. */
+  isTaken(x: number, y: number, radius: number, except = NONE): boolean {
     const { sheet, columns, heads, next } = this;
     const square = radius * radius;
     const left = this.columnOf(x - radius);
@@ -73,7 +86,8 @@ export class LinePoints {
         for (let i = heads[row * columns + column]; i !== NONE; i = next[i]) {
           const dx = this.x[i] - x;
           const dy = this.y[i] - y;
-          if (dx * dx + dy * dy < square && !sheet.isParted(x, y, this.x[i], this.y[i])) return true;
+          if (dx * dx + dy * dy < square && this.line[i] !== except && !sheet.isParted(x, y, this.x[i], this.y[i]))
+            return true;
         }
       }
     }

@@ -2,6 +2,7 @@ import { asPhase } from '../../mesh/phases.js';
 import { SEEN_BACK, SEEN_FRONT } from '../Bvh.js';
 import type { DrawnScene, EngravedSurface } from '../DrawnScene.js';
 import type { Projection } from '../Projection.js';
+import { type CarriedRun, carriedRuns, surfaceLinesOf } from './carryLines.js';
 import { EvenSurface, type SeenScene } from './EvenSurface.js';
 import { evenOut } from './evenOut.js';
 import { LineFields } from './LineFields.js';
@@ -12,6 +13,7 @@ import { LAYS, type Lay, layerOf } from './layTones.js';
 import { LineEnds } from './lineEnds.js';
 import { placeLines } from './placeLines.js';
 import { Sheet } from './Sheet.js';
+import type { SurfaceLines } from './SurfaceLines.js';
 import { type LineStrokes, strokesAlong } from './strokesAlong.js';
 import { ToneGains } from './ToneGains.js';
 
@@ -42,6 +44,16 @@ interface EvenDrawing extends SeenScene {
   /** The width of the pen, millimetres; and millimetres per pixel. */
   pen: number;
   scale: number;
+  /** Null for a picture of its own. */
+  carrying: Carrying | null;
+  /** The place of the surfaces in the order of drawing. */
+  group: number;
+}
+
+/** Lines that are carried from frame to frame: those of the frame before, none for the first one, and those of this one. */
+export interface Carrying {
+  before: readonly SurfaceLines[];
+  kept: SurfaceLines[];
 }
 
 /** The number of the surface of each triangle of a scene; −1 for none. */
@@ -65,7 +77,7 @@ function seenSidesOf(scene: DrawnScene, surfaces: readonly EngravedSurface[]): U
 /** Places lines of a pen on surfaces of one technique, as far apart as the tone asks for; in a block as close as they fill it. Yields its progress. */
 export function* evenLines(
   surfaces: readonly EngravedSurface[],
-  { pen, scale, ...seen }: EvenDrawing,
+  { pen, scale, carrying, group, ...seen }: EvenDrawing,
 ): Generator<number, EvenLine[], void> {
   const { scene, projection, bvh } = seen;
   if (!(Math.min(projection.width, projection.height) * scale >= SMALLEST * pen)) return [];
@@ -83,7 +95,15 @@ export function* evenLines(
   for (const [set, lay] of LAYS.entries()) {
     if (!fields.hasLines(set)) continue;
     const [from, to] = [set, set + 1].map((k) => 0.4 + (0.6 * k) / LAYS.length);
-    const points = yield* asPhase(linesOf(fields, set, pen, isBlock), from, to);
+    const on = { scene, projection, sheet, surfaces: read, owners };
+    const before = carrying?.before.find((lines) => lines.group === group && lines.set === set);
+    const carried = before ? yield* asPhase(carriedRuns(before, on, pen), from, from) : [];
+    const points = yield* asPhase(
+      linesOf(new LineLaws(fields, set, pen, new ToneGains(fields, pen), isBlock), carried),
+      from,
+      to,
+    );
+    if (carrying) carrying.kept.push(yield* asPhase(surfaceLinesOf(points, { group, set }, on), to, to));
     for (let line = 0; line < points.lines; line++) {
       yield to;
       const middle = (points.starts[line] + points.starts[line + 1]) >> 1;
@@ -167,11 +187,9 @@ function worldOf(points: readonly number[], surface: EvenSurface, sheet: Sheet):
   return world;
 }
 
-function* linesOf(fields: LineFields, set: number, pen: number, isBlock: boolean): Generator<number, LinePoints, void> {
-  const gains = new ToneGains(fields, pen);
-  const laws = new LineLaws(fields, set, pen, gains, isBlock);
+function* linesOf(laws: LineLaws, carried: readonly CarriedRun[]): Generator<number, LinePoints, void> {
   for (let round = 1; round < ROUNDS; round++)
-    gains.learn(set, yield* asPhase(placeLines(laws), (0.5 * (round - 1)) / ROUNDS, (0.5 * round) / ROUNDS));
-  const placed = yield* asPhase(placeLines(laws), 0.35, 0.5);
+    laws.gains.learn(laws.set, yield* asPhase(placeLines(laws), (0.5 * (round - 1)) / ROUNDS, (0.5 * round) / ROUNDS));
+  const placed = yield* asPhase(placeLines(laws, carried), 0.35, 0.5);
   return yield* asPhase(evenOut(laws, placed), 0.5, 1);
 }

@@ -1,11 +1,12 @@
 import { STEP } from './LineGrower.js';
 import type { LineLaws } from './LineLaws.js';
-import { LinePoints } from './LinePoints.js';
+import { LinePoints, UNNUMBERED } from './LinePoints.js';
 import { leastLength } from './placeLines.js';
 
 const ROUNDS = 10;
-/** The share of the way to the middle between its neighbours that a point goes in a round, and the farthest, in distances between lines. */
+/** The share of the way to the middle between its neighbours that a point goes in a round, also of a line that is carried from frame to frame; and the farthest, in distances between lines. */
 const SHARE = 0.5;
+const CARRIED_SHARE = 0.05;
 const FARTHEST = 0.5;
 /** Neighbours lie no farther than this many distances, and no more widths of the pen. */
 const REACH = 2.4;
@@ -36,7 +37,10 @@ export function* evenOut(laws: LineLaws, points: LinePoints): Generator<number, 
       moves[i] = moveOf(points, i, laws.pen);
     }
     for (let line = 0; line < points.lines; line++) smoothMoves(points, line, moves, STEP * laws.pen);
-    for (let i = 0; i < points.count; i++) if (moves[i] !== 0) move(laws, points, i, SHARE * moves[i]);
+    for (let i = 0; i < points.count; i++) {
+      const share = points.ids[points.line[i]] === UNNUMBERED ? SHARE : CARRIED_SHARE;
+      if (moves[i] !== 0) move(laws, points, i, share * moves[i]);
+    }
     turn(points);
   }
   return yield* withoutCrowds(laws, points);
@@ -104,8 +108,8 @@ function* withoutCrowds(laws: LineLaws, points: LinePoints): Generator<number, L
   const order = Array.from({ length: points.lines }, (_, line) => line);
   const pointsOf = (line: number): number => starts[line + 1] - starts[line];
   order.sort((a, b) => pointsOf(b) - pointsOf(a) || a - b);
-  for (const [k, line] of order.entries()) {
-    if (k % 16 === 0) yield 1;
+  for (const [n, line] of order.entries()) {
+    if (n % 16 === 0) yield 1;
     const parts: [first: number, end: number][] = [];
     let first = starts[line];
     const close = (end: number): void => {
@@ -119,10 +123,11 @@ function* withoutCrowds(laws: LineLaws, points: LinePoints): Generator<number, L
       else if (isOff) first = i;
     }
     close(starts[line + 1]);
-    for (const [from, end] of parts) {
+    for (const [k, [from, end]] of parts.entries()) {
       for (let i = from; i < end; i++) kept.push(x[i], y[i], ux[i], uy[i], apart[i]);
-      kept.endLine();
+      kept.endLine(points.lots[line], k === 0 ? points.ids[line] : undefined);
     }
   }
+  kept.numberLines();
   return kept;
 }

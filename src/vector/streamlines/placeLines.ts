@@ -1,6 +1,7 @@
+import type { CarriedRun } from './carryLines.js';
 import { LineGrower, STEP } from './LineGrower.js';
 import type { LineLaws } from './LineLaws.js';
-import { LinePoints } from './LinePoints.js';
+import { LinePoints, UNNUMBERED } from './LinePoints.js';
 import { SeedHeap } from './SeedHeap.js';
 
 /** Lengths of lines in widths of the pen: the least, that in the darks and its distances between lines, and that of lines that begin at outlines. */
@@ -24,12 +25,21 @@ const LONG_ENOUGH = 0.9;
 /** A line beside another may be a little longer. */
 const LONGER = 1.05;
 const GOLDEN = 0.6180339887;
+/** The least number of points of a line that is carried from frame to frame; and what is left of one is carried if it is most of it, or so long, in widths of the pen. */
+const LEAST_CARRIED = 3;
+const MOST_OF_LINE = 0.6;
+const LEAST_PART = 40;
 /** Seeds per step. */
 const CHUNK = 8;
 
-/** Places lines of a set, longest first, at the distances that the tone asks for (Mebarki and others, 2005). Yields its progress. */
-export function* placeLines(laws: LineLaws): Generator<number, LinePoints, void> {
+/**
+ * Places lines of a set, longest first, at the distances that the tone asks for (Mebarki and others, 2005). Yields its progress.
+ *
+ * @param carried lines of the frame before, which come first as far as they fit
+ */
+export function* placeLines(laws: LineLaws, carried: readonly CarriedRun[] = []): Generator<number, LinePoints, void> {
   const placer = new LinePlacer(laws);
+  yield* placer.carry(carried);
   for (const [i, grid] of GRIDS.entries()) {
     placer.sow(grid.apart * laws.pen, grid.expected * laws.pen);
     for (const _ of placer.grow(grid.least * laws.pen)) yield (i + 1) / (GRIDS.length + 1);
@@ -50,6 +60,27 @@ export function leastLength(
   if (ends > 0) return pen * (ends === 2 ? LEAST_ACROSS : LEAST_FROM_OUTLINE);
   const middle = points.apart[(first + end) >> 1];
   return Math.min(LEAST * pen, Math.max(LEAST_IN_DARK * pen, DISTANCES * middle));
+}
+
+/** The parts of lines of the frame before that fit beside each other. Yields now and then. */
+function* fittingParts(runs: readonly CarriedRun[], laws: LineLaws): Generator<number, LinePoints, void> {
+  const parts = new LinePoints(laws.fields.sheet, LEAST_FROM_OUTLINE * laws.pen);
+  const grower = new LineGrower(laws, parts);
+  const { line } = grower;
+  for (const run of runs) {
+    yield 0;
+    let { id } = run;
+    for (let i = 0; i < run.x.length; ) {
+      i = grower.take(run, i);
+      const isWhole = line.count >= Math.max(MOST_OF_LINE * run.whole, LEAST_CARRIED);
+      if (!isWhole && line.count * STEP < LEAST_PART) continue;
+      for (let k = 0; k < line.count; k++) parts.push(line.x[k], line.y[k], line.ux[k], line.uy[k], line.apart[k]);
+      parts.endLine(run.lot, id);
+      // Another part of a line is a line of its own.
+      id = UNNUMBERED;
+    }
+  }
+  return parts;
 }
 
 class LinePlacer {
@@ -76,6 +107,20 @@ class LinePlacer {
     }
   }
 
+  /** Places the parts of lines of the frame before that fit, and goes on from their ends. Yields now and then. */
+  *carry(runs: readonly CarriedRun[]): Generator<number, void, void> {
+    const { grower, laws } = this;
+    const fitting = yield* fittingParts(runs, laws);
+    for (let number = 0; number < fitting.lines; number++) {
+      if (number % CHUNK === 0) yield 0;
+      grower.extend(fitting, number);
+      const { line } = grower;
+      const length = (line.count - 1) * STEP * laws.pen;
+      if (length >= leastLength(laws, line, 0, line.count))
+        this.place(length, fitting.lots[number], fitting.ids[number]);
+    }
+  }
+
   /** Grows the lines of all seeds. */
   *grow(least: number): Generator<number, void, void> {
     const { laws, heap, grower } = this;
@@ -87,15 +132,15 @@ class LinePlacer {
       const length = (line.count - 1) * STEP * laws.pen;
       if (length < (least > LEAST * laws.pen ? least : leastLength(laws, line, 0, line.count))) continue;
       if (length < LONG_ENOUGH * heap.longest && length < LONG_ENOUGH * seed.length) heap.push({ ...seed, length });
-      else this.place(length);
+      else this.place(length, seed.lot);
     }
   }
 
-  private place(length: number): void {
+  private place(length: number, lot: number, id?: number): void {
     const { points, laws, grower } = this;
     const { line } = grower;
     for (let i = 0; i < line.count; i++) points.push(line.x[i], line.y[i], line.ux[i], line.uy[i], line.apart[i]);
-    points.endLine();
+    points.endLine(lot, id);
     const apart = Math.min(Math.max(length * SEEDS_ALONG, SEEDS_APART[0] * laws.pen), SEEDS_APART[1] * laws.pen);
     const every = Math.max(Math.round(apart / (STEP * laws.pen)), 1);
     for (let i = 0; i < line.count; i++) {

@@ -42,7 +42,7 @@ export function strokesAlong(
       continue;
     }
     const measure = engraver.measure(family, at, BLANK);
-    const { presence, astray, uphill } = strokeOnLine({ ...measure, tone: fields.tone }, line);
+    const { presence, astray, uphill } = strokeOnLine({ ...measure, tone: fields.tone }, points.ids[line]);
     strokes.margins.push(presence - 0.5);
     strokes.shifts.push(...uphill.map((way) => points.apart[i] * astray * way));
   }

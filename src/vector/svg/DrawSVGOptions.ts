@@ -6,6 +6,7 @@ import { checkOptions, type TaskOptions } from '../../worker/TaskOptions.js';
 import type { DrawingPlan } from '../DrawnScene.js';
 import { PEN_LAYERS, PEN_PARTS, type Pen, type PenLayers, type PenPart, type PenPlan } from '../plot/pens.js';
 import { PLOTTERS, type PlotterName, type PlotterSpeeds } from '../plot/plotTime.js';
+import type { SurfaceLines } from '../streamlines/SurfaceLines.js';
 import { isSide, lyingSize, SHEET_WORDS, type SheetName, sheetNamed } from './sheetSizes.js';
 
 /** Default duration of an animated drawing. */
@@ -54,6 +55,11 @@ export interface DrawSVGOptions extends TaskOptions {
    * as the tone gets lighter. Default: `'even'`.
    */
   lines?: 'even' | 'canvas' | undefined;
+  /**
+   * With `kind: 'pen'` and even lines, for frames of a moving picture: the drawing of the frame before, whose lines stay where they are on the surface as far as they
+   * fit, or null for the first frame. Default: each drawing is made for itself.
+   */
+  before?: { surfaceLines: readonly SurfaceLines[] | null } | null | undefined;
   /**
    * With `kind: 'pen'`, lines shorter than this are left out, 0 or more: each would take the pen a lift. Dashes are lines of their own. Default:
    * 1.
@@ -117,6 +123,7 @@ export interface PlotterPen {
 const FOR_PENS = {
   penWidth: 'Leave it out, or draw with a pen',
   lines: 'A print has the lines of the canvas',
+  before: 'A print has the lines of the canvas, which keep their places',
   shortest: 'A print has no lifts',
   maxPasses: 'A print lays its inks down at once',
   pens: 'A print has an ink for each layer',
@@ -139,6 +146,7 @@ const NAMES = {
   note: true,
   dxf: true,
   lines: true,
+  before: true,
   shortest: true,
   maxPasses: true,
   leastWidth: true,
@@ -189,6 +197,7 @@ export function planOf(options: DrawSVGOptions, isWide = false): DrawingPlan {
     note: noteOf(options.note ?? false),
     hasDxf: checkBoolean('dxf', options.dxf ?? false),
     lines: isPen ? (options.lines ?? 'even') : 'canvas',
+    before: beforeOf(options),
     shortest: checkNumber('shortest', options.shortest ?? 1, { from: 0 }, 'drawSVG'),
     maxPasses: checkPasses(options.maxPasses ?? 2),
     leastWidth: checkNumber('leastWidth', options.leastWidth ?? 0.05, { from: 0 }, 'drawSVG'),
@@ -261,6 +270,14 @@ function plotterOf(plotter: NonNullable<DrawSVGOptions['plotter']>): PlotterSpee
       return [name, checkNumber(`plotter.${name}`, plotter[name] ?? PLOTTERS.axidraw[name], limits, 'drawSVG')];
     }),
   ) as unknown as PlotterSpeeds;
+}
+
+function beforeOf({ before }: DrawSVGOptions): readonly SurfaceLines[] | null {
+  if (before === undefined) return null;
+  if (before === null || before?.surfaceLines) return before?.surfaceLines ?? [];
+  throw new TypeError(
+    'drawSVG: before must be a drawing that was itself made with before, or null for the first frame.',
+  );
 }
 
 function checkPasses(passes: number): number {

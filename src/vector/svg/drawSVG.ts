@@ -7,6 +7,7 @@ import { runTaskOf } from '../../worker/runTask.js';
 import type { TaskSet } from '../../worker/TaskSet.js';
 import type { DrawnScene } from '../DrawnScene.js';
 import type { lineTasks } from '../drawLines.js';
+import type { SurfaceLines } from '../streamlines/SurfaceLines.js';
 import { type DrawSVGOptions, planOf } from './DrawSVGOptions.js';
 import type { LeftOut } from './leftOut.js';
 import { readScene } from './readScene.js';
@@ -88,6 +89,8 @@ export interface SVGDrawing {
   files: readonly { name: string; svg: string }[];
   /** With `dxf: true`, the drawing as a DXF file of release 12; otherwise null. */
   dxf: string | null;
+  /** With `before`, the even lines on their surfaces, for the next frame; otherwise null. */
+  surfaceLines: readonly SurfaceLines[] | null;
   /** Duration of the drawing, seconds. */
   seconds: number;
   /** What the drawing does not show as the canvas does. */

@@ -16,7 +16,7 @@ function scattered(count: number): LinePoints {
     const [ux, uy] = [Math.cos(angle), Math.sin(angle)];
     const [x, y] = [64 * random() - 2, 44 * random() - 2];
     for (const step of [0, 0.25]) points.push(x + step * ux, y + step * uy, ux, uy, 1 + random());
-    points.endLine();
+    points.endLine(0);
   }
   return points;
 }

@@ -61,7 +61,7 @@ async function drawingCase(random: Random): Promise<'good' | 'refused'> {
   // Some options that go together, and some that never do.
   const options = random.chance(0.5) ? {} : oddOptions(random, Object.keys(OPTIONS), OPTIONS);
   return outcome(/^drawSVG[:.]/, async () => {
-    const { svg, leftOut, layers, files, dxf, plotSeconds, ...counts } = await drawSVG(scene, oddCamera(random), {
+    const { svg, leftOut, layers, files, dxf, plotSeconds, surfaceLines, ...counts } = await drawSVG(scene, oddCamera(random), {
       sheet: [60, 60],
       ...options,
     });

@@ -32,6 +32,8 @@ describe('wrong options end in one sentence that names them', () => {
     [{ kind: 'pen', maxPasses: 4 }, 'drawSVG.maxPasses: 4 is not 1, 2 or 3.'],
     [{ kind: 'pen', maxPasses: 1.5 }, 'drawSVG.maxPasses: 1.5 is not 1, 2 or 3.'],
     [{ kind: 'pen', note: 3 as never }, 'drawSVG: note is 3, but must be true, false or a text.'],
+    [{ kind: 'pen', before: {} as never }, 'drawSVG: before must be a drawing that was itself made with before'],
+    [{ before: null }, "drawSVG: before is only for kind: 'pen'."],
     [{ maxPasses: 1 }, "drawSVG: maxPasses is only for kind: 'pen'."],
     [{ shortest: 2 }, "drawSVG: shortest is only for kind: 'pen'."],
     [{ kind: 'pen', leastWidth: 0.1 }, "drawSVG: leastWidth is only for kind: 'print'."],
