@@ -238,32 +238,32 @@ float strokeCoverage(const in Row row, const in Cells cells, const in vec2 place
   float grown = grownAt(row.born, rank);
   float widening = row.widening;
   float cellLength = (isPair ? 2.0 : 1.0) * cells.period;
-  vec2 ends = vec2(0.0, 1.0);
+  float left = 1.0; // of the half that the pixel sees
   #ifdef SHADOWS_ALONG_STROKES
     float inShadow = grownAt(row.bornInShadow, rank);
     float widest = handReach.y + handReach.z + max(widening, row.wideningInShadow);
     if (spacing * (abs(aside) - widest) > FRINGE) return 0.0;
     if (grown != inShadow || widening != row.wideningInShadow) {
       vec3 step = row.way * size * cellLength * cells.steps[which];
-      // The shadows at its middle, and at the middles of its last and its first third.
-      vec3 shadows;
-      for (int i = 0; i < 3; i++) {
-        shadows[i] = shadowAt(row.middle + (fract(0.5 + float(i) / 3.0) - t) * step, cells.normal);
+      // The shadows at its middle, and at the middle of the third at this end.
+      vec2 shadows;
+      for (int i = 0; i < 2; i++) {
+        float at = i == 0 ? 0.5 : t < 0.5 ? 1.0 / 6.0 : 5.0 / 6.0;
+        shadows[i] = shadowAt(row.middle + (at - t) * step, cells.normal);
         // A stroke is there as far as its middle is.
         if (i == 0 && !(mix(grown, inShadow, shadows.x) > 0.0)) return 0.0;
       }
-      vec3 thirds = mix(vec3(grown), vec3(inShadow), shadows);
-      grown = thirds.x;
-      // An end that is not there loses a sixth, so that what is left is no fleck.
-      vec2 lost = max(1.0 - thirds.zy / grown, 0.0) / 6.0;
-      ends = vec2(lost.x, 1.0 - lost.y);
-      widening = mix(widening, row.wideningInShadow, dot(shadows, vec3(1.0 / 3.0)));
+      vec2 parts = mix(vec2(grown), vec2(inShadow), shadows);
+      grown = parts.x;
+      // An end that is not there loses a sixth of the stroke, so that what is left is no fleck.
+      left = 1.0 - max(1.0 - parts.y / grown, 0.0) / 3.0;
+      widening = mix(widening, row.wideningInShadow, shadows.x);
     }
   #endif // SHADOWS_ALONG_STROKES
   there = min(there, grown);
   if (!(there > 0.0)) return 0.0;
   // A stroke that is not there in full is shorter, and ends as the hand ends it.
-  t = (0.5 + (t - 0.5) / there - ends.x) / (ends.y - ends.x);
+  t = 0.5 + (t - 0.5) / (there * left);
   if (!(t > 0.0 && t < 1.0)) return 0.0;
   float chosen = mix(0.5 * isDark, 1.0, rank) * (1.0 - SHAPES_OF_RANK) + SHAPES_OF_RANK * fract(SHAPE_HASH * chance);
   float shape = min(floor(handReach.x * chosen), handReach.x - 1.0);
@@ -272,7 +272,7 @@ float strokeCoverage(const in Row row, const in Cells cells, const in vec2 place
   float halfWidth = (stroke.g + widening * min(1.0, WIDENED_ENDS * fromEnd)) * min(1.0, there / WIDE_FROM);
   halfWidth *= spacing;
   // Blunt ends are round, as the tip of a pen leaves them.
-  float toEnd = fromEnd * there * (ends.y - ends.x) * size * cellLength / cells.perPixelOfRow[which];
+  float toEnd = fromEnd * there * left * size * cellLength / cells.perPixelOfRow[which];
   float cap = max(1.0 - toEnd / max(halfWidth, 0.5), 0.0);
   return lineCoverage(spacing * abs(aside - stroke.r), halfWidth * sqrt(1.0 - cap * cap), FRINGE);
 }

@@ -372,13 +372,13 @@ function strokeOn(
   const begin = mix(fract(START_HASH * chance), 0.5, laneOffset > 0 ? LANE_STEADINESS : 0);
   const inFull = (inCell - (1 - size) * begin) / size;
   if (!(inFull > -beyond && inFull < 1 + beyond)) return undefined;
-  const { grown, start, end, widening } = grownPart(rows, row, rank, (at) =>
+  const { grown, left, widening } = grownPart(rows, row, rank, inFull, (at) =>
     combined(1, row.middle, row.way * size * length * (at - inFull), step),
   );
   const there = Math.min(greatest, grown);
   if (!(there > 0)) return undefined;
   // A stroke that is not there in full is shorter, and ends as the hand ends it.
-  const t = (0.5 + (inFull - 0.5) / there - start) / (end - start);
+  const t = 0.5 + (inFull - 0.5) / (there * left);
   if (!(t > -beyond && t < 1 + beyond)) return undefined;
   const chosen = mix(0.5 * isDark, 1, rank) * (1 - SHAPES_OF_RANK) + SHAPES_OF_RANK * fract(SHAPE_HASH * chance);
   const shape = Math.min(Math.floor(count * chosen), count - 1);
@@ -395,7 +395,7 @@ function strokeOn(
   const fromEnd = Math.max(Math.min(t, 1 - t), 0);
   const halfWidth = (width + widening * Math.min(1, WIDENED_ENDS * fromEnd)) * Math.min(1, there / WIDE_FROM) * spacing;
   // Blunt ends are round, as the tip of a pen leaves them.
-  const cap = Math.max(1 - (fromEnd * there * (end - start) * size * length) / perPixel / Math.max(halfWidth, 0.5), 0);
+  const cap = Math.max(1 - (fromEnd * there * left * size * length) / perPixel / Math.max(halfWidth, 0.5), 0);
   return {
     ...{ coordinate: id, lane, length, cell: number, t },
     shift: row.way * (aside + offset) * spacing,
@@ -404,28 +404,28 @@ function strokeOn(
 }
 
 /**
- * How far a stroke has grown, the part of it that shadows leave, and its widening. It is there as far as its middle is; an end that is not
- * there loses a sixth.
+ * How far a stroke has grown, the part of the half at a place that shadows leave, and its widening. It is there as far as its middle is; an
+ * end that is not there loses a sixth of the stroke.
  *
- * @param stepTo the step to a place along the stroke in full, from 0 to 1; view space
+ * @param inFull the place along the stroke in full, from 0 to 1
+ * @param stepTo the step to another such place, view space
  */
 function grownPart(
   { widening, inShadow }: Rows,
   { born, bornInShadow }: Row,
   rank: number,
+  inFull: number,
   stepTo: (at: number) => Vec3,
-): { grown: number; start: number; end: number; widening: number } {
+): { grown: number; left: number; widening: number } {
   const lit = grownAt(born, rank);
   const shaded = grownAt(bornInShadow, rank);
-  if (!inShadow || (lit === shaded && widening === inShadow.widening))
-    return { grown: lit, start: 0, end: 1, widening };
+  if (!inShadow || (lit === shaded && widening === inShadow.widening)) return { grown: lit, left: 1, widening };
   const middle = inShadow.takenAt(stepTo(1 / 2));
   const grown = mix(lit, shaded, middle);
-  if (!(grown > 0)) return { grown: 0, start: 0, end: 1, widening };
-  const ends = [1 / 6, 5 / 6].map((at) => inShadow.takenAt(stepTo(at)));
-  const [before, after] = ends.map((taken) => Math.max(1 - mix(lit, shaded, taken) / grown, 0) / 6);
-  const mean = (ends[0] + middle + ends[1]) / 3;
-  return { grown, start: before, end: 1 - after, widening: mix(widening, inShadow.widening, mean) };
+  if (!(grown > 0)) return { grown: 0, left: 1, widening };
+  const end = inShadow.takenAt(stepTo(inFull < 0.5 ? 1 / 6 : 5 / 6));
+  const gone = Math.max(1 - mix(lit, shaded, end) / grown, 0);
+  return { grown, left: 1 - gone / 3, widening: mix(widening, inShadow.widening, middle) };
 }
 
 /** How far a stroke lies aside of its row, in mean distances. lot: of the bundles of its row, from 0 to BUNDLED_ROWS − 1. */

@@ -329,7 +329,7 @@ function strokeCoverage(
     });
     const part: GrownPart = {
       grown: grownAt(row.born, rank).toVar(),
-      ends: vec2(0, 1).toVar(),
+      left: float(1).toVar(),
       widening: row.widening,
     };
     const { inShadow } = row;
@@ -338,12 +338,12 @@ function strokeCoverage(
       const whole = row.way.mul(size).mul(cellLength).mul(step).toVar();
       const widest = handReach.y.add(handReach.z).add(max(row.widening, inShadow.widening));
       const isNear = spacing.mul(abs(aside).sub(widest)).lessThanEqual(FRINGE);
-      endAtShadows(part, { inShadow, isNear, rank }, (at) => inShadow.middle.add(whole.mul(at.sub(inFull))));
+      endAtShadows(part, { inShadow, isNear, rank, inFull }, (at) => inShadow.middle.add(whole.mul(at.sub(inFull))));
     }
     there.assign(min(there, part.grown));
-    const { x: start, y: end } = part.ends;
+    const { left } = part;
     // A stroke that is not there in full is shorter, and ends as the hand ends it.
-    const t = inFull.sub(0.5).div(there).add(0.5).sub(start).div(end.sub(start)).toVar();
+    const t = inFull.sub(0.5).div(there.mul(left)).add(0.5).toVar();
     If(there.greaterThan(0).and(t.greaterThan(0)).and(t.lessThan(1)), () => {
       const ofRank = mix(isDark.mul(0.5), 1, rank).mul(1 - SHAPES_OF_RANK);
       const chosen = ofRank.add(fract(chance.mul(SHAPE_HASH)).mul(SHAPES_OF_RANK));
@@ -356,7 +356,7 @@ function strokeCoverage(
         .mul(spacing)
         .toVar();
       // Blunt ends are round, as the tip of a pen leaves them.
-      const toEnd = fromEnd.mul(there).mul(end.sub(start)).mul(size).mul(cellLength).div(perPixelOfRow);
+      const toEnd = fromEnd.mul(there).mul(left).mul(size).mul(cellLength).div(perPixelOfRow);
       const cap = max(toEnd.div(max(halfWidth, 0.5)).oneMinus(), 0).toVar();
       const rounded = halfWidth.mul(sqrt(cap.mul(cap).oneMinus())).toVar();
       covered.assign(lineCoverage(spacing.mul(abs(aside.sub(stroke.x))), rounded, FRINGE));
@@ -365,10 +365,10 @@ function strokeCoverage(
   return covered;
 }
 
-/** How far a stroke has grown, the two ends of the part of it that shadows leave, and what is added to its half widths. */
+/** How far a stroke has grown, the part that shadows leave of the half that the pixel sees, and what is added to its half widths. */
 interface GrownPart {
   grown: Value;
-  ends: Value;
+  left: Value;
   widening: Value;
 }
 
@@ -377,36 +377,38 @@ interface GrownPart {
  *
  * @param part variables, as far as no shadow falls; they are changed
  * @param isNear whether the stroke may touch the pixel
- * @param placeAt a place along the stroke in full, from 0 to 1; view space
+ * @param inFull the place along the stroke in full, from 0 to 1
+ * @param placeAt another such place, view space
  */
 function endAtShadows(
-  { grown, ends, widening }: GrownPart,
-  { inShadow, isNear, rank }: { inShadow: ShadedRow; isNear: Value; rank: Value },
+  { grown, left, widening }: GrownPart,
+  { inShadow, isNear, rank, inFull }: { inShadow: ShadedRow } & Record<'isNear' | 'rank' | 'inFull', Value>,
   placeAt: (at: Value) => Value,
 ): void {
   const shaded = grownAt(inShadow.born, rank).toVar();
   const isOther = grown.notEqual(shaded).or(widening.notEqual(inShadow.widening));
   If(isNear.and(isOther), () => {
-    // The shadows at its middle, and at the middles of its last and its first third.
-    const shadows = vec3(0).toVar();
-    Loop({ start: int(0), end: int(3), type: 'int', condition: '<', name: 'third' }, ({ third }) => {
-      const at = fract(float(third).div(3).add(0.5));
-      const there = inShadow.shadowAt(placeAt(at).toVar());
-      const isThird = (i: number): Value => select(third.equal(int(i)), there, float(0));
-      shadows.addAssign(vec3(isThird(0), isThird(1), isThird(2)));
+    // The shadows at its middle, and at the middle of the third at this end.
+    const shadows = vec2(0).toVar();
+    const end = select(inFull.lessThan(0.5), float(1 / 6), float(5 / 6)).toVar();
+    Loop({ start: int(0), end: int(2), type: 'int', condition: '<', name: 'place' }, ({ place }) => {
+      const isMiddle = place.equal(int(0)).toVar();
+      const there = inShadow.shadowAt(placeAt(select(isMiddle, float(0.5), end)).toVar());
+      shadows.assign(select(isMiddle, vec2(there, 0), vec2(shadows.x, there)));
       // A stroke is there as far as its middle is.
       If(mix(grown, shaded, shadows.x).greaterThan(0).not(), () => {
         Break();
       });
     });
-    const thirds = mix(vec3(grown), vec3(shaded), shadows).toVar();
-    grown.assign(thirds.x);
-    // An end that is not there loses a sixth, so that what is left is no fleck.
-    const lost = max(vec2(thirds.z, thirds.y).div(max(grown, 1e-6)).oneMinus(), 0)
-      .div(6)
-      .toVar();
-    ends.assign(vec2(lost.x, lost.y.oneMinus()));
-    widening.assign(mix(widening, inShadow.widening, dot(shadows, vec3(1 / 3))));
+    const parts = mix(vec2(grown), vec2(shaded), shadows).toVar();
+    grown.assign(parts.x);
+    // An end that is not there loses a sixth of the stroke, so that what is left is no fleck.
+    left.assign(
+      max(parts.y.div(max(grown, 1e-6)).oneMinus(), 0)
+        .div(3)
+        .oneMinus(),
+    );
+    widening.assign(mix(widening, inShadow.widening, shadows.x));
   });
 }
 
