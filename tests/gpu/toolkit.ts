@@ -73,6 +73,7 @@ const suns = import.meta.glob('../../node_modules/three/examples/jsm/lights/SunL
 
 /** The class of lights with cascades of shadow maps; undefined in versions of three.js without it. */
 async function loadSunLight(): Promise<typeof THREE.DirectionalLight | undefined> {
+  if (!THREE.ShaderChunk.lights_pars_begin.includes('NUM_SUN_LIGHTS')) return undefined;
   const loaded = (await Object.values(suns)[0]?.()) as { SunLight: typeof THREE.DirectionalLight } | undefined;
   return loaded?.SunLight;
 }
