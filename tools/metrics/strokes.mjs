@@ -240,7 +240,7 @@ ${table(
 )}
 
 **Tone.** How far blocks of 32 pixels are from their tone, in the mean: uneven strokes and wrong tones together, and in brackets wrong tones alone.
-Required: ≤ ${LIMITS.tone} in the mean of all.
+Required: ≤ ${LIMITS.tone} in the mean of all. At the tone 0.1 a block holds some two strokes, most of them longer than a block: most of the difference is where they lie.
 
 ${surfaces
   .map((surface) =>
