@@ -284,9 +284,17 @@ struct Drawn {
   float widening; // what is added to half widths
 };
 
-// filled: the share of their cells that strokes fill. young: the share of the strokes of young rows.
+// The tone that rows have whose strokes fill their cells as the hand's do, where those that fill less of them have a given tone. A row
+// darkens by as much as it fills less, and where rows overlap each lets through what the others leave.
+float filledTone(const in float tone, const in float filled) {
+  float ofCells = COVERED_OF_FILLED * handReach.w * (1.0 - 0.5 * handRows.x);
+  float left = ofCells * filled;
+  return tone < left ? tone / filled : 1.0 - pow(1.0 - tone, log2(1.0 - ofCells) / log2(1.0 - left));
+}
+
+// filled: how much of the share of their cells that the hand's strokes fill is filled. young: the share of the strokes of young rows.
 Drawn drawnAs(const in float tone, const in float filled, const in float young) {
-  float wanted = 1.0 - pow(clamp(1.0 - tone, 0.0, 1.0), 1.0 / filled);
+  float wanted = filledTone(clamp(tone, 0.0, 1.0), filled);
   vec2 at = vec2(wanted * (PLACES - 1.0) + 0.5, HAND_ROWS - TONE_ROWS + 0.5 + young * (TONE_ROWS - 1.0));
   vec2 drawn = textureLod(handStrokes, at / vec2(PLACES, HAND_ROWS), 0.0).rg;
   return Drawn(bornBelow(drawn.x), bornBelow(young * drawn.x), drawn.y);

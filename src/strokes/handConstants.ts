@@ -32,6 +32,8 @@ export const HAND_STROKE_CONSTANTS = {
   /** Rows that are drawn together to a bundle, around the middle one, and the number of cells of strokes after which others are. */
   BUNDLED_ROWS: 3,
   BUNDLE_CELLS: 4,
+  /** A dark row covers this part of the share of its cells that strokes fill: their ends are narrow. */
+  COVERED_OF_FILLED: 0.88,
   /** How much of the room that strokes of two lanes leave in their cells lies evenly before and after them. */
   LANE_STEADINESS: 0.75,
   /** The share of all shapes that a rank chooses from: light tones from those of the light swatch. */

@@ -17,7 +17,7 @@ import { axesAlong, axisOf, crossed, numberOf, type StrokeLength } from './strok
 const { PLACES, TONE_ROWS } = HAND_TEXTURE;
 const { PAIR_TURN, LONGEST_IN_PAIR, AXIS_RISE, ROW_SHIFT, GROWTH, GROWING, WIDE_FROM } = HAND_STROKE_CONSTANTS;
 const { WIDENED_ENDS, SIZE_HASH, START_HASH, SHAPE_HASH, SHAPES_OF_RANK } = HAND_STROKE_CONSTANTS;
-const { BUNDLED_ROWS, BUNDLE_CELLS, LANE_STEADINESS } = HAND_STROKE_CONSTANTS;
+const { BUNDLED_ROWS, BUNDLE_CELLS, COVERED_OF_FILLED, LANE_STEADINESS } = HAND_STROKE_CONSTANTS;
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 const { AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
 const { SECOND_FACTOR, THIRD_FACTOR } = HASH_FACTORS;
@@ -183,6 +183,18 @@ function drawnTone({ tones }: StrokeProfiles, tone: number, young: number): { sh
   return { share: of('share'), widening: of('widening') };
 }
 
+/**
+ * The tone that rows have whose strokes fill a share of their cells, where those that fill less have a given tone. A row darkens by as much as
+ * it fills less, and where rows overlap each lets through what the others leave.
+ *
+ * @param ofCells the share that strokes of the first fill
+ * @param filled the part of it that those of the second fill
+ */
+function filledTone(tone: number, ofCells: number, filled: number): number {
+  const left = ofCells * filled;
+  return tone < left ? tone / filled : 1 - (1 - tone) ** (Math.log2(1 - ofCells) / Math.log2(1 - left));
+}
+
 /** What the rows of a family depend on at a place, beside their tone and distance. */
 export interface HandRows {
   profiles: StrokeProfiles;
@@ -242,8 +254,9 @@ export function rowsFor(
   const young = clamp01(apart - 1);
   // Strokes fill less of their cells where pairs have given way to one: as if the tone were darker.
   const filled = (1 - cells.paired * (1 - cells.longest)) * (1 - 0.5 * PAIR_TURN);
+  const ofCells = COVERED_OF_FILLED * profiles.filled * (1 - 0.5 * profiles.shorter);
   const drawnAs = (one: number): Drawn => {
-    const { share, widening } = drawnTone(profiles, 1 - clamp01(1 - one) ** (1 / filled), young);
+    const { share, widening } = drawnTone(profiles, filledTone(clamp01(one), ofCells, filled), young);
     return { bornOld: bornBelow(share), bornYoung: bornBelow(young * share), widening };
   };
   return {

@@ -36,13 +36,15 @@ import {
   trianglePerPixelOf,
 } from './strokeLengths.js';
 
-const { abs, Break, ceil, clamp, dot, float, floor, fract, If, int, length, Loop, max, min, mix, pow, select } = tsl;
+const { abs, Break, ceil, clamp, dot, float, floor, fract, If, int, length, log2, Loop, max, min, mix, pow, select } =
+  tsl;
 const { positionView, sqrt, uint, vec2, vec3 } = tsl;
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 const { AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
 const { SECOND_FACTOR, THIRD_FACTOR } = HASH_FACTORS;
 const { HAND_ROWS, PLACES, TONE_ROWS } = HAND_TEXTURE;
-const { AXIS_RISE, BUNDLE_CELLS, BUNDLED_ROWS, GROWING, GROWTH, LONGEST_IN_PAIR, PAIR_TURN } = HAND_STROKE_CONSTANTS;
+const { AXIS_RISE, BUNDLE_CELLS, BUNDLED_ROWS, COVERED_OF_FILLED, GROWING, GROWTH, LONGEST_IN_PAIR, PAIR_TURN } =
+  HAND_STROKE_CONSTANTS;
 const { LANE_STEADINESS, ROW_SHIFT, SHAPE_HASH, SHAPES_OF_RANK, SIZE_HASH, START_HASH, WIDE_FROM, WIDENED_ENDS } =
   HAND_STROKE_CONSTANTS;
 
@@ -421,9 +423,20 @@ interface Drawn {
   widening: Value;
 }
 
-/** @param filled the share of their cells that strokes fill. @param young the share of the strokes of young rows */
+/**
+ * The tone that rows have whose strokes fill their cells as the hand's do, where those that fill less of them have a given tone. A row
+ * darkens by as much as it fills less, and where rows overlap each lets through what the others leave.
+ */
+function filledTone(tone: Value, filled: Value): Value {
+  const ofCells = handReach.w.mul(handRows.x.mul(0.5).oneMinus()).mul(COVERED_OF_FILLED).toVar();
+  const left = ofCells.mul(filled).toVar();
+  const dark = pow(tone.oneMinus(), log2(ofCells.oneMinus()).div(log2(left.oneMinus()))).oneMinus();
+  return select(tone.lessThan(left), tone.div(filled), dark);
+}
+
+/** @param filled how much of the share of their cells that the hand's strokes fill is filled. @param young the share of the strokes of young rows */
 function drawnAs(tone: Value, filled: Value, young: Value): Drawn {
-  const wanted = pow(clamp(tone.oneMinus(), 0, 1), float(1).div(filled)).oneMinus();
+  const wanted = filledTone(clamp(tone, 0, 1).toVar(), filled);
   const row = young.mul(TONE_ROWS - 1).add(HAND_ROWS - TONE_ROWS + 0.5);
   const drawn = texelAt(wanted.mul(PLACES - 1).add(0.5), row);
   return { bornOld: bornBelow(drawn.x), bornYoung: bornBelow(young.mul(drawn.x).toVar()), widening: drawn.y };

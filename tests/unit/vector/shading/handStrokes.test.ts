@@ -127,6 +127,34 @@ test('strokes end to end have one lane', () => {
   expect(new Set(spans.map(({ lane }) => lane))).toEqual(new Set([0]));
 });
 
+test('where strokes of two cells fill less of them, rows are as dark as they shall be', () => {
+  const strokes = Array.from({ length: 9 }, (_, i) => ({ points: [0, 2 * i, 10, 2 * i], widths: [0.9, 0.9] }));
+  const { numbers, ...hand } = learnHand(strokes);
+  const drawn = strokeProfiles({ ...hand, numbers: { ...numbers, angleSpread: 0, spacing: 2, overlap: 0 } });
+  // As many cells of both sizes as strokes 1.2 times as long as a cell have.
+  const [paired, longest] = [0.4 / 0.7, 0.75];
+  for (const tone of [0.5, 0.65, 0.8]) {
+    const [across, along] = [24, 160];
+    let covered = 0;
+    for (let i = 0; i < across * along; i++) {
+      const place = 40 * ((i * 0.618034) % 1);
+      const value = 1 + 40 * ((i + 0.5) / (across * along));
+      const rows = rowsFor(
+        { profiles: drawn, cells: { ...cellsAt(place), paired, longest }, value, isDark: 0, repeat: Infinity },
+        tone,
+        0,
+        1 / 40,
+      );
+      const isInk = Array.from({ length: 17 }, (_, k) => Math.round(value) + 0.5 * (k - 8)).some((line) =>
+        strokesOnRow(rows, line).some(({ shift, half }) => Math.abs((value - line) * 40 - shift) < half),
+      );
+      if (isInk) covered++;
+    }
+    const found = covered / (across * along);
+    expect(Math.abs(found - tone), `${found} in place of ${tone}`).toBeLessThan(0.05);
+  }
+});
+
 /** The lengths of strokes that stand in a shadow which begins at a place along the rows, and end or begin there; the lit tone is 0. */
 function lengthsAtEdge(edge: number): number[] {
   return Array.from({ length: 12 }, (_, line) => {
