@@ -61,10 +61,14 @@ async function drawingCase(random: Random): Promise<'good' | 'refused'> {
   // Some options that go together, and some that never do.
   const options = random.chance(0.5) ? {} : oddOptions(random, Object.keys(OPTIONS), OPTIONS);
   return outcome(/^drawSVG[:.]/, async () => {
-    const { svg, leftOut, layers, files, dxf, plotSeconds, surfaceLines, ...counts } = await drawSVG(scene, oddCamera(random), {
-      sheet: [60, 60],
-      ...options,
-    });
+    const { svg, leftOut, layers, files, dxf, plotSeconds, surfaceLines, ...counts } = await drawSVG(
+      scene,
+      oddCamera(random),
+      {
+        sheet: [60, 60],
+        ...options,
+      },
+    );
     if (/NaN|Infinity|undefined/.test(svg)) throw new Error('the file holds a number that is none');
     for (const [name, count] of Object.entries(counts))
       if (!(count >= 0 && count < Infinity)) throw new Error(`${name} is ${count}`);
