@@ -1,10 +1,20 @@
 import { type ApplyHatchingOptions, type PresetName, presets } from 'three-hatching';
+import { type ExampleHandName, exampleHand } from 'three-hatching/hands';
 
-/** A preset, or what `applyHatching` makes where none is named. */
-export type LookName = PresetName | 'default';
+/** A preset, a hand whose strokes the preset `pen` draws, or what `applyHatching` makes where neither is named. */
+export type LookName = PresetName | 'default' | `hand ${ExampleHandName}`;
+
+/** A broad hand, one in bundles, and one of many fine strokes. */
+const HANDS = ['hand brush', 'hand reedPen', 'hand finePen'] as const;
 
 /** The options of `applyHatching` for a look. */
-export const lookOptions = (look: LookName): ApplyHatchingOptions => (look === 'default' ? {} : { preset: look });
+export function lookOptions(look: LookName): ApplyHatchingOptions {
+  if (look === 'default') return {};
+  const [, hand] = look.split(' ');
+  return hand
+    ? { preset: 'pen', material: { hand: exampleHand(hand as ExampleHandName) } }
+    : { preset: look as PresetName };
+}
 
-/** All looks that users meet without options of their own. */
-export const lookNames = (): LookName[] => ['default', ...(Object.keys(presets) as PresetName[])];
+/** All looks that users meet without options of their own, and strokes of hands. */
+export const lookNames = (): LookName[] => ['default', ...(Object.keys(presets) as PresetName[]), ...HANDS];
