@@ -13,7 +13,7 @@ import { applyHatching, type HatchedScene, HatchingShadowMaterial, prepareHatchi
 import { loadModel } from '../loadModel.js';
 import { Stage } from '../Stage.js';
 import { timeTurns } from '../timeTurns.js';
-import { type LookName, lookOptions } from './lookOptions.js';
+import { type LookName, lookOptions, materialOptions } from './lookOptions.js';
 
 /** Times in milliseconds, one per turn, of a look and of three's materials under the same circumstances. */
 export interface PresetTimes {
@@ -33,8 +33,8 @@ export async function measurePresets(model: string, look: LookName, turns: numbe
   const alone = await hatch(plain(new MeshStandardMaterial()), look);
   const inShadow = await hatch(plain(new MeshStandardMaterial()), look);
   const [{ tonalArtMap }] = inShadow.hatched.materials;
-  const preset = look === 'default' ? {} : { preset: look };
-  const groundMaterial = new HatchingShadowMaterial({ ...preset, tonalArtMap, depthWrite: false });
+  const ofGround = { ...materialOptions(look), tonalArtMap, depthWrite: false };
+  const groundMaterial = new HatchingShadowMaterial(ofGround);
   await groundMaterial.ready;
   const plane = await prepareHatchingGeometry(ground);
 
