@@ -119,7 +119,8 @@ export const hand: readonly Mutation[] = [
     caughtBy: {
       layer: 'unit',
       file: 'tests/unit/vector/shading/handStrokes.test.ts',
-      title: 'strokes at the hard edge of a shadow are whole or lose a sixth at the edge, and no strokes are in the light',
+      title:
+        'strokes at the hard edge of a shadow are whole or lose a sixth at the edge, and no strokes are in the light',
     },
   },
 ];
