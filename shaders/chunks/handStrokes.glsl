@@ -163,8 +163,8 @@ struct Row {
   float apart; // distance of old rows, in mean distances
   float away; // signed distance from it, in distances between rows
   float way; // −1 where rows are numbered, and run, the other way
-  float hash, turn;
-  uint bits;
+  float turn;
+  uint bits, evenBits; // random, and spread evenly over neighbouring rows
   uint ofLane; // differing bits of the second lane
   float late; // by which its cells begin later, in cells
   vec2 born; // rank below which its strokes are there, and the range of ranks over which they grow
@@ -218,9 +218,16 @@ float strokeCoverage(const in Row row, const in Cells cells, const in vec2 place
   float cell = isPair ? pair : floor(x);
   float inCell = isPair ? 0.5 * x - pair : x - cell;
   float number = numberOfCell(cell, isPair ? 0.5 * most : most);
-  float chance = strokeHash01(row.bits ^ row.ofLane, number);
   // Ranks are spread evenly over a surface: the first strokes lie on one of three neighbouring rows.
-  float rank = fract(row.turn + strokeHash01((uint(row.hash * 16777216.0) << 8u) ^ row.ofLane, number) / 3.0);
+  float rank = fract(row.turn + strokeHash01(row.evenBits ^ row.ofLane, number) / 3.0);
+  float grown = grownAt(row.born, rank);
+  #ifdef SHADOWS_ALONG_STROKES
+    float inShadow = grownAt(row.bornInShadow, rank);
+    if (!(max(grown, inShadow) > 0.0)) return 0.0;
+  #else
+    if (!(grown > 0.0)) return 0.0;
+  #endif // SHADOWS_ALONG_STROKES
+  float chance = strokeHash01(row.bits ^ row.ofLane, number);
   there = min(there, ((1.0 + AXIS_TURN) * share - fract(AXIS_HASH * chance)) / AXIS_TURN);
   if (!(there > 0.0)) return 0.0;
   float size = handReach.w * (1.0 - handRows.x * fract(SIZE_HASH * chance)) * (isPair ? cells.longest : 1.0);
@@ -235,12 +242,10 @@ float strokeCoverage(const in Row row, const in Cells cells, const in vec2 place
     float lot = floor(BUNDLED_ROWS * strokeHash01(SECOND_FACTOR, numberOfCell(place, repeat / BUNDLE_CELLS)));
     aside -= bundledAside(row, lot);
   }
-  float grown = grownAt(row.born, rank);
   float widening = row.widening;
   float cellLength = (isPair ? 2.0 : 1.0) * cells.period;
   float left = 1.0; // of the half that the pixel sees
   #ifdef SHADOWS_ALONG_STROKES
-    float inShadow = grownAt(row.bornInShadow, rank);
     float widest = handReach.y + handReach.z + max(widening, row.wideningInShadow);
     if (spacing * (abs(aside) - widest) > FRINGE) return 0.0;
     if (grown != inShadow || widening != row.wideningInShadow) {
@@ -339,20 +344,26 @@ float ruledLines(const in HatchingParameters h, const in Family family, const in
     #endif // FOLLOWS_FORM
     number = abs(number) == 0.0 ? 0.0 : way * number;
     Row row;
+    row.turn = turnOf(number);
+    row.born = isYoung ? drawn.bornYoung : drawn.bornOld;
+    float born = row.born.x;
+    #ifdef SHADOWS_ALONG_STROKES
+      row.bornInShadow = isYoung ? inShadow.bornYoung : inShadow.bornOld;
+      born = max(born, row.bornInShadow.x);
+    #endif // SHADOWS_ALONG_STROKES
+    // The ranks of a row begin at its turn, unless some of them lie beyond 1.
+    if (row.turn >= born && row.turn <= 2.0 / 3.0) continue;
     row.number = number / period;
     row.apart = apart;
     bool isSecond = (i & lanes) > 0;
     row.away = (x - line) * apart + (isSecond ? -way : way) * handLanes.x;
     row.way = way;
-    row.hash = hash01(number);
-    row.turn = turnOf(number);
+    row.evenBits = lineBits(THUE_MORSE, number) & 0xffffff00u;
     row.bits = bitsOfLine(number);
     row.ofLane = isSecond ? THIRD_FACTOR : 0u;
     row.late = isSecond ? handLanes.y : 0.0;
-    row.born = isYoung ? drawn.bornYoung : drawn.bornOld;
     row.widening = drawn.widening;
     #ifdef SHADOWS_ALONG_STROKES
-      row.bornInShadow = isYoung ? inShadow.bornYoung : inShadow.bornOld;
       row.wideningInShadow = inShadow.widening;
       row.middle = -vViewPosition - cells.stepAcross * ((x - line) * period);
     #endif // SHADOWS_ALONG_STROKES

@@ -20,6 +20,8 @@ export const part: MaterialPart = {
   files: {
     ...shadows,
     './chunks/shadowStrokes.glsl': inShadows,
+    // Strokes have the unsteadiness of the hand, and lie along steady lines.
+    './techniques/lines/steadiness.glsl': '#define STEADY',
     // Rows of strokes are drawn in the place of lines.
     './techniques/lines/ruledLines.glsl': [
       definesOf({ ...HAND_STROKE_CONSTANTS, ...HAND_TEXTURE }),

@@ -36,6 +36,7 @@ const ABSENT: Readonly<Record<string, string>> = {
   strokeShadows: '',
   'technique/stipple': '',
   'technique/carving': '',
+  'technique/steadiness': '',
 };
 
 // Shaders are resolved on first use, so that a page that never hatches does no work, and a bundler may leave this out.

@@ -40,16 +40,19 @@ export const handPressure = (waves: Value): Value => irregularity.mul(PRESSURE).
 
 export const handTone = (pressure: Value, tone: Value): Value => tone.add(pressure.mul(tone).mul(tone.oneMinus()));
 
-/** A hash of a line in [0, 1). @param line its value, a multiple of a power of two */
-function hashBy(digits: number, line: Value): Value {
+/** 24 random bits of a line, above eight others. @param line its value, a multiple of a power of two */
+export function lineBits(digits: number, line: Value): Value {
   const bits = floatBitsToUint(line).toVar();
   const exponent = bits.shiftRight(uint(23)).bitAnd(uint(31)).toVar();
   const rest = uint(32).sub(exponent).bitAnd(uint(31));
   const factor = uint(digits).shiftLeft(exponent).bitOr(uint(digits).shiftRight(rest));
   const significand = bits.bitAnd(uint(0x7fffff)).bitOr(uint(0x800000));
-  const spread = significand.mul(factor).bitXor(bits.bitAnd(uint(0x80000000)));
-  return float(spread.shiftRight(uint(8) as Input)).mul(1 / 16777216);
+  return significand.mul(factor).bitXor(bits.bitAnd(uint(0x80000000)));
 }
+
+/** A hash of a line in [0, 1). */
+const hashBy = (digits: number, line: Value): Value =>
+  float(lineBits(digits, line).shiftRight(uint(8) as Input)).mul(1 / 16777216);
 
 /** A hash of a line, far from those of its neighbours. */
 export const hash01 = (line: Value): Value => hashBy(HASH_FACTORS.THUE_MORSE, line);

@@ -19,7 +19,7 @@ import {
 import { castShadowsOf } from '../chunks/strokeShadows.js';
 import { objectToField } from './emit.js';
 import { vFieldNormal } from './fields.js';
-import { hash01, turnOf } from './hand.js';
+import { lineBits, turnOf } from './hand.js';
 import type { Family, HatchingParameters } from './read.js';
 import {
   alongLines,
@@ -41,7 +41,7 @@ const { abs, Break, ceil, clamp, dot, float, floor, fract, If, int, length, log2
 const { positionView, sqrt, uint, vec2, vec3 } = tsl;
 const { PARTS_OF_TILE } = LINE_CONSTANTS;
 const { AXIS_HASH, AXIS_TURN } = PEN_CONSTANTS;
-const { SECOND_FACTOR, THIRD_FACTOR } = HASH_FACTORS;
+const { SECOND_FACTOR, THIRD_FACTOR, THUE_MORSE } = HASH_FACTORS;
 const { HAND_ROWS, PLACES, TONE_ROWS } = HAND_TEXTURE;
 const { AXIS_RISE, BUNDLE_CELLS, BUNDLED_ROWS, COVERED_OF_FILLED, GROWING, GROWTH, LONGEST_IN_PAIR, PAIR_TURN } =
   HAND_STROKE_CONSTANTS;
@@ -223,9 +223,10 @@ interface Row {
   away: Value;
   /** −1 where rows are numbered, and run, the other way. */
   way: Value;
-  hash: Value;
   turn: Value;
+  /** Random bits, and others that are spread evenly over neighbouring rows. */
   bits: Value;
+  evenBits: Value;
   /** Differing bits of the second lane, and by how many cells its cells begin later. */
   ofLane: Value;
   late: Value;
@@ -304,7 +305,7 @@ function strokeCoverage(
   const number = numberOfCell(cell, repeatOfCell, isOfForm);
   const chance = strokeHash01(row.bits.bitXor(row.ofLane), number);
   // Ranks are spread evenly over a surface: the first strokes lie on one of three neighbouring rows.
-  const even = strokeHash01(uint(row.hash.mul(16777216)).shiftLeft(uint(8)).bitXor(row.ofLane), number);
+  const even = strokeHash01(row.evenBits.bitXor(row.ofLane), number);
   const rank = fract(row.turn.add(even.div(3))).toVar();
   const onAxis = share
     .mul(1 + AXIS_TURN)
@@ -500,43 +501,48 @@ export function ruledLines(h: HatchingParameters, family: Family, tone: Value): 
       const signed = numberOf(line.mul(period).toVar(), family);
       const way = cells.isOfForm ? select(signed.lessThan(0), float(-1), float(1)).toVar() : float(1);
       const number = select(signed.equal(0), float(0), way.mul(signed)).toVar();
-      const aside = x.sub(line).toVar();
-      const row: Row = {
-        ...{ apart, way, widening: drawn.widening },
-        number: number.div(period).toVar(),
-        away: aside
-          .mul(apart)
-          .add(select(isSecond, way.negate(), way).mul(handLanes.x))
-          .toVar(),
-        hash: hash01(number).toVar(),
-        turn: turnOf(number),
-        bits: bitsOfLine(number),
-        ofLane: select(isSecond, uint(THIRD_FACTOR), uint(0)).toVar(),
-        late: select(isSecond, handLanes.y, float(0)).toVar(),
-        born: select(isYoung, drawn.bornYoung, drawn.bornOld).toVar(),
-        inShadow: inShadow && shadedRow(h, cells, inShadow, { isYoung, away: aside.mul(period).toVar() }),
-      };
-      // The places of the nearest point of the row: strokes end straight across their rows.
-      const places = cells.places.sub(cells.askew.mul(aside.mul(period))).toVar();
-      const print = (counted: Counted): void => {
-        blank.mulAssign(strokeCoverage(row, cells, counted, isDark, spacing).oneMinus());
-      };
-      const { share, perPixelOfRow, isOfForm } = cells;
-      const steps = cells.onSurface?.steps ?? null;
-      if (isOfForm) print({ place: places.x, share, perPixelOfRow: perPixelOfRow.x, step: steps?.[0] ?? null });
-      else {
-        Loop({ start: int(0), end: int(2), type: 'int', condition: '<', name: 'axis' }, ({ axis }) => {
-          const isOfFirst = axis.equal(int(0)).toVar();
-          If(isOfFirst.or(share.lessThan(1)), () => {
-            print({
-              place: select(isOfFirst, places.x, places.y).toVar(),
-              share: select(isOfFirst, share, share.oneMinus()).toVar(),
-              perPixelOfRow: select(isOfFirst, perPixelOfRow.x, perPixelOfRow.y).toVar(),
-              step: steps && select(isOfFirst, steps[0], steps[1]).toVar(),
+      const turn = turnOf(number);
+      const born = select(isYoung, drawn.bornYoung, drawn.bornOld).toVar();
+      const ofShadow = inShadow && select(isYoung, inShadow.bornYoung, inShadow.bornOld).x;
+      // The ranks of a row begin at its turn, unless some of them lie beyond 1.
+      If(turn.lessThan(ofShadow ? max(born.x, ofShadow) : born.x).or(turn.greaterThan(2 / 3)), () => {
+        const aside = x.sub(line).toVar();
+        const row: Row = {
+          ...{ apart, way, widening: drawn.widening },
+          number: number.div(period).toVar(),
+          away: aside
+            .mul(apart)
+            .add(select(isSecond, way.negate(), way).mul(handLanes.x))
+            .toVar(),
+          evenBits: lineBits(THUE_MORSE, number).bitAnd(uint(0xffffff00)).toVar(),
+          ...{ turn, born },
+          bits: bitsOfLine(number),
+          ofLane: select(isSecond, uint(THIRD_FACTOR), uint(0)).toVar(),
+          late: select(isSecond, handLanes.y, float(0)).toVar(),
+          inShadow: inShadow && shadedRow(h, cells, inShadow, { isYoung, away: aside.mul(period).toVar() }),
+        };
+        // The places of the nearest point of the row: strokes end straight across their rows.
+        const places = cells.places.sub(cells.askew.mul(aside.mul(period))).toVar();
+        const print = (counted: Counted): void => {
+          blank.mulAssign(strokeCoverage(row, cells, counted, isDark, spacing).oneMinus());
+        };
+        const { share, perPixelOfRow, isOfForm } = cells;
+        const steps = cells.onSurface?.steps ?? null;
+        if (isOfForm) print({ place: places.x, share, perPixelOfRow: perPixelOfRow.x, step: steps?.[0] ?? null });
+        else {
+          Loop({ start: int(0), end: int(2), type: 'int', condition: '<', name: 'axis' }, ({ axis }) => {
+            const isOfFirst = axis.equal(int(0)).toVar();
+            If(isOfFirst.or(share.lessThan(1)), () => {
+              print({
+                place: select(isOfFirst, places.x, places.y).toVar(),
+                share: select(isOfFirst, share, share.oneMinus()).toVar(),
+                perPixelOfRow: select(isOfFirst, perPixelOfRow.x, perPixelOfRow.y).toVar(),
+                step: steps && select(isOfFirst, steps[0], steps[1]).toVar(),
+              });
             });
           });
-        });
-      }
+        }
+      });
     });
     If(blank.greaterThan(0).not(), () => {
       Break();
