@@ -241,7 +241,7 @@ export class LineDrawer {
     }
   }
 
-  /** Surfaces by the widths of their pens: lines of one width are placed together, but those of a block for themselves. */
+  /** Surfaces by the widths of their pens: lines of one width are placed together, those of woodcuts apart from all others. */
   private byPen(surfaces: readonly EngravedSurface[]): EngravedSurface[][] {
     const groups = new Map<string, EngravedSurface[]>();
     for (const surface of surfaces) {

@@ -60,7 +60,7 @@ export class LineGrower {
     const { laws, line, back } = this;
     const { fields } = laws;
     line.count = back.count = 0;
-    const lightest = CARRIED_LIGHTEST * laws.lightest((lot * 7.31) % 1);
+    const lightest = CARRIED_LIGHTEST * laws.endsAt(lot);
     const last = x.length - 1;
     for (let i = from; i <= last; i++) {
       const [a, b] = [Math.max(i - 1, 0), Math.min(i + 1, last)];
@@ -96,7 +96,7 @@ export class LineGrower {
     const { laws, line, step } = this;
     const { fields, set } = laws;
     const share = ENDS_AT[0] + (ENDS_AT[1] - ENDS_AT[0]) * lot;
-    const lightest = laws.lightest((lot * 7.31) % 1);
+    const lightest = laws.endsAt(lot);
     let { x, y, ux, uy } = line.at(line.count - 1);
     [ux, uy] = [way * ux, way * uy];
     let turned = 0;

@@ -37,9 +37,14 @@ export class LineLaws {
     this.crowded = pen * CROWDED[isBlock ? 'block' : 'line'];
   }
 
-  /** The tone at which a line ends. lot: of the line, from 0 to 1. */
+  /** The tone at which a line may begin. lot: of the line, from 0 to 1. */
   lightest(lot: number): number {
     return this.set === 0 ? LIGHTEST + SPREAD * lot : LIGHTEST_ABOVE + SPREAD_ABOVE * lot;
+  }
+
+  /** The tone at which a line that has begun ends, by a chance that differs from the one by which it began. */
+  endsAt(lot: number): number {
+    return this.lightest((lot * 7.31) % 1);
   }
 
   /** The distance asked for where the fields look. */

@@ -6,6 +6,9 @@ const NONE = -1;
 /** What is no number of a line. */
 export const UNNUMBERED = -1;
 
+/** The first `count` points of a line with their directions and the distances asked for there. */
+type LineCourse = { count: number } & Readonly<Record<'x' | 'y' | 'ux' | 'uy' | 'apart', Float64Array>>;
+
 /** The points of lines on a sheet, in a grid that finds those near a place. Lengths in millimetres. */
 export class LinePoints {
   count = 0;
@@ -52,6 +55,12 @@ export class LinePoints {
     this.apart[i] = apart;
     this.line[i] = this.lines;
     this.register(i);
+  }
+
+  /** Writes a whole line. lot and id: see `endLine`. */
+  pushLine({ count, x, y, ux, uy, apart }: LineCourse, lot: number, id = UNNUMBERED): void {
+    for (let i = 0; i < count; i++) this.push(x[i], y[i], ux[i], uy[i], apart[i]);
+    this.endLine(lot, id);
   }
 
   /** Ends the line that is being written. lot: its chance, from 0 to 1; and `id`, its number if it has one. */

@@ -74,7 +74,7 @@ function seenSidesOf(scene: DrawnScene, surfaces: readonly EngravedSurface[]): U
   return sides;
 }
 
-/** Places lines of a pen on surfaces of one technique, as far apart as the tone asks for; in a block as close as they fill it. Yields its progress. */
+/** Places lines of a pen on surfaces as far apart as the tone asks for; in the blocks of woodcuts, if all surfaces are such, as close as they fill them. Yields its progress. */
 export function* evenLines(
   surfaces: readonly EngravedSurface[],
   { pen, scale, carrying, group, ...seen }: EvenDrawing,

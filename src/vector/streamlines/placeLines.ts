@@ -74,8 +74,7 @@ function* fittingParts(runs: readonly CarriedRun[], laws: LineLaws): Generator<n
       i = grower.take(run, i);
       const isWhole = line.count >= Math.max(MOST_OF_LINE * run.whole, LEAST_CARRIED);
       if (!isWhole && line.count * STEP < LEAST_PART) continue;
-      for (let k = 0; k < line.count; k++) parts.push(line.x[k], line.y[k], line.ux[k], line.uy[k], line.apart[k]);
-      parts.endLine(run.lot, id);
+      parts.pushLine(line, run.lot, id);
       // Another part of a line is a line of its own.
       id = UNNUMBERED;
     }
@@ -139,8 +138,7 @@ class LinePlacer {
   private place(length: number, lot: number, id?: number): void {
     const { points, laws, grower } = this;
     const { line } = grower;
-    for (let i = 0; i < line.count; i++) points.push(line.x[i], line.y[i], line.ux[i], line.uy[i], line.apart[i]);
-    points.endLine(lot, id);
+    points.pushLine(line, lot, id);
     const apart = Math.min(Math.max(length * SEEDS_ALONG, SEEDS_APART[0] * laws.pen), SEEDS_APART[1] * laws.pen);
     const every = Math.max(Math.round(apart / (STEP * laws.pen)), 1);
     for (let i = 0; i < line.count; i++) {
